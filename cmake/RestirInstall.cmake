@@ -1,0 +1,16 @@
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/restir)
+set(shader_dir ${CMAKE_INSTALL_DATADIR}/restir/shaders)
+
+install(TARGETS restir restir_shaders EXPORT restir)
+install(EXPORT restir NAMESPACE restir:: FILE restirTargets.cmake DESTINATION ${package_dir})
+install(DIRECTORY include/restir DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY shaders/ DESTINATION ${shader_dir} FILES_MATCHING PATTERN *.glsl)
+
+configure_package_config_file(cmake/restirConfig.cmake.in ${PROJECT_BINARY_DIR}/restirConfig.cmake
+    INSTALL_DESTINATION ${package_dir}
+    PATH_VARS CMAKE_INSTALL_INCLUDEDIR shader_dir)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/restirConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/restirConfig.cmake ${PROJECT_BINARY_DIR}/restirConfigVersion.cmake
+    cmake/RestirShaders.cmake DESTINATION ${package_dir})

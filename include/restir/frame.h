@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include <vulkan/vulkan_core.h>
+
+namespace restir {
+
+template <class T>
+concept MatrixBytes = sizeof(T) == 64 && std::is_trivially_copyable_v<T>;
+
+// Column-major, vectors are columns. Takes any 64-byte matrix type, glm::mat4 among them.
+struct Mat4 {
+    float m[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+    template <MatrixBytes M>
+    static Mat4 from(const M& matrix) noexcept {
+        Mat4 result;
+        std::memcpy(result.m, &matrix, sizeof result.m);
+        return result;
+    }
+};
+
+// The SDK remembers the last recorded frame's camera, so a host gives the current one only.
+struct Camera {
+    Mat4 viewFromWorld;   // affine, invertible
+    // Vulkan clip space without jitter: perspective (clip.w = +-view z) or orthographic (clip.w = 1, looking down
+    // -z); off-centre, reversed and infinite depth are fine. Shear between x and y is not supported.
+    Mat4 clipFromView;
+    // In pixels, already applied to the G-buffer: clip.xy += 2 jitter / extent * clip.w.
+    float jitter[2] = {0, 0};
+};
+
+// A host image as a shader sees it. The SDK never changes a layout.
+struct Image {
+    VkImageView view = VK_NULL_HANDLE;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+};
+
+enum class NormalEncoding : uint8_t {
+    Xyz,               // xyz, signed
+    XyzUnorm,          // xyz, stored as 0.5 + 0.5 n
+    Octahedral,        // xy, signed: n / (|x| + |y| + |z|), lower half folded over the diagonals
+    OctahedralUnorm,   // the same, stored as 0.5 + 0.5 e
+};
+
+enum class DepthKind : uint8_t {
+    Device,   // what the rasteriser wrote, as clipFromView maps it
+    Linear,   // distance along the view axis, positive in front of the camera
+};
+
+// The standard G-buffer: one sample per pixel, pixel centres at + 0.5, row 0 on top. Fetched without filtering in
+// COMPUTE_SHADER. A host that stores something else overrides rsBridgeSurface().
+struct GBuffer {
+    Image depth = {};             // required; x
+    Image normal = {};            // required; world space shading normal, in `normals` encoding
+    Image geometricNormal = {};   // optional, same encoding; absent: the shading normal
+    Image baseColor = {};         // required; rgb in [0, 1], linear once fetched
+    // Optional; x perceptual roughness, y metalness, z specular factor, all [0, 1]. Absent: 1, 0, 1.
+    Image material = {};
+    // Optional; xy times motionScale = previous minus current position in pixels, y down, without jitter.
+    // Absent: derived from the cameras, right for static geometry.
+    Image motion = {};
+    Image emission = {};   // optional; emitted radiance towards the camera, below 65,408
+    NormalEncoding normals = NormalEncoding::Octahedral;
+    DepthKind depthKind = DepthKind::Device;
+    float emptyDepth = 1.0f;   // the depth value that means "no surface here"; 0 for reversed depth
+    float motionScale[2] = {1, 1};
+    // Top left pixel of this view inside the images; they hold at least origin + FrameInput::extent.
+    VkOffset2D origin = {0, 0};
+};
+
+// Where results go: storage images in VK_IMAGE_LAYOUT_GENERAL, written without format.
+struct Output {
+    VkImageView radiance = VK_NULL_HANDLE;   // emission plus reflected direct light, times exposure; w = 1
+    VkOffset2D origin = {0, 0};
+};
+
+// Stages and access of the SDK at its edges, for the host's barriers.
+struct Scope {
+    VkPipelineStageFlags2 stages = 0;
+    VkAccessFlags2 access = 0;
+};
+
+}   // namespace restir

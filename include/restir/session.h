@@ -1,0 +1,117 @@
+#pragma once
+
+#include <restir/frame.h>
+#include <restir/lights.h>
+#include <restir/scene.h>
+#include <restir/settings.h>
+
+namespace restir {
+
+struct SessionDesc {
+    VkExtent2D maxExtent = {0, 0};   // pixels; the largest FrameInput::extent
+    // Measuring only: keeps up to so many rays of a frame (32 bytes each) in rayLog(). 0: no memory.
+    uint32_t rayLogCapacity = 0;
+};
+
+struct FrameInput {
+    uint32_t frameSlot = 0;    // below framesInFlight; the GPU is done with the slot's last use
+    uint64_t frameIndex = 0;   // with `seed` the only source of randomness: same values, same history, same bits
+    uint32_t seed = 0;
+    VkExtent2D extent = {0, 0};   // pixels, at most maxExtent; a change keeps history where surfaces match
+    Camera camera;
+    GBuffer gbuffer;
+    VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;   // required
+    const Scene* scene = nullptr;                       // required with the standard bridge
+    VkDescriptorSet bridgeSet = VK_NULL_HANDLE;         // required with ContextDesc::bridgeSetLayout
+    const LightTable* lights = nullptr;                 // required
+    Output output;
+    float exposure = 1;          // multiplies outputs, nothing else
+    bool resetHistory = false;   // a camera cut, or a recorded frame that was never submitted: forget the past
+};
+
+enum class Access : uint8_t { Read, Write, ReadWrite };
+enum class Resource : uint8_t {
+    HostImages,
+    Scene,
+    Lights,
+    Surfaces,
+    PreviousSurfaces,
+    ReservoirsA,
+    ReservoirsB,
+    Outputs,
+};
+
+// One dispatch. A frame is a list of these, known before anything is recorded.
+struct PassInfo {
+    const char* name = "";   // "di.temporal"; also the debug label, the timing and the file under passes/
+    uint32_t groups[3] = {0, 0, 0};
+    uint32_t source = 0, target = 0;   // reservoir buffer read and written: 0 is A, 1 is B
+    uint32_t index = 0;                // among passes of the same name
+    struct Use {
+        Resource resource = Resource::HostImages;
+        Access access = Access::Read;
+    };
+    static constexpr uint32_t kMaxUses = 8;
+    Use useList[kMaxUses] = {};
+    uint32_t useCount = 0;
+    std::span<const Use> uses() const noexcept { return {useList, useCount}; }
+};
+
+struct PassTiming {
+    const char* name = "";
+    double milliseconds = 0;
+};
+
+struct BufferInfo {
+    const char* name = "";
+    VkDeviceSize bytes = 0;
+    bool perPixel = false;   // grows with maxExtent
+};
+
+struct Counters {
+    uint32_t rays = 0;              // traced in the frame
+    uint32_t rejectedWeights = 0;   // not finite or negative: stored as 0 instead
+    uint32_t loggedRays = 0;
+};
+
+// One view's reservoirs and history. Use from one thread at a time. All frames of a Session and its LightTable are
+// submitted in recording order on one queue family. Cheap beside a Context: a resize beyond maxExtent means
+// making a new one.
+class Session {
+public:
+    static Result<Session> create(const Context& context, const SessionDesc& desc) noexcept;
+    // Exactly what create() will ask for, in bytes.
+    static VkDeviceSize memoryNeeded(const Context& context, const SessionDesc& desc) noexcept;
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+    ~Session();   // the GPU is done with its last frame
+
+    // Records a whole frame outside any render pass, with barriers between its own passes. Before: inputs made
+    // available to inputScope(), earlier readers of the outputs included. After: outputs written in
+    // outputScope(). Leaves the compute bind point with the SDK's pipeline and sets. On an error nothing was recorded and
+    // the message sink names the field.
+    [[nodiscard]] Status record(VkCommandBuffer cmd, const FrameInput& frame, const Settings& settings) noexcept;
+
+    // The passes such a record() would dispatch. Does not advance history. The list lives until the next call.
+    Result<std::span<const PassInfo>> plan(const FrameInput& frame, const Settings& settings) noexcept;
+
+    // GPU time of the passes last recorded in `frameSlot`; call once the GPU is done with them. Empty where the
+    // queue has no timestamps. The list lives until the next call.
+    std::span<const PassTiming> timings(uint32_t frameSlot) noexcept;
+    // Sums of that frame, if Settings::counters was on.
+    Counters counters(uint32_t frameSlot) const noexcept;
+
+    std::span<const BufferInfo> memory() const noexcept;   // what create() acquired
+    VkBuffer rayLog() const noexcept;                      // gpu::RsLoggedRay[rayLogCapacity], or null
+
+    static Scope inputScope() noexcept;
+    static Scope outputScope() noexcept;
+
+    struct Impl;
+
+private:
+    explicit Session(std::unique_ptr<Impl> impl) noexcept;
+    std::unique_ptr<Impl> impl_;
+};
+
+}   // namespace restir

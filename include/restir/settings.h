@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+namespace restir {
+
+// How reservoirs are weighed against one another (shaders/restir/di/combine.glsl).
+enum class Weights : uint8_t {
+    Off,        // 1/M: biased wherever two pixels cannot see the same lights
+    Basic,      // 1/Z: unbiased, noisiest
+    Balance,    // balance heuristic of the selected sample
+    Pairwise,   // defensive pairwise MIS (Bitterli 2022): the quietest
+};
+
+// What becomes of visibility when samples are reused.
+enum class VisibilityReuse : uint8_t {
+    None,     // no sample is killed, one ray in the final shading: unbiased, noisier in shadow
+    Cached,   // occluded samples are killed, weights ignore it: fast, biased towards darkness
+    Traced,   // weights trace each neighbour's view of a sample: unbiased for static geometry
+};
+
+enum class DirectMode : uint8_t {
+    Restir,      // reservoirs
+    NextEvent,   // plain next-event estimation: `lightCandidates` lights, a ray each; what ReSTIR is measured against
+};
+
+struct DiSettings {
+    DirectMode mode = DirectMode::Restir;
+    uint32_t lightCandidates = 16;   // [1, 65536] lights tried per pixel before reuse
+    uint32_t bsdfCandidates = 1;     // [0, 8] directions tried, a ray each; 0 where nothing is glossy
+    bool temporal = true;
+    uint32_t maxHistory = 20;   // [0, 1000] frames a temporal reservoir may stand for
+    uint32_t spatialPasses = 1;   // [0, 8]
+    uint32_t neighbours = 5;      // [1, 16] per spatial pass
+    float radius = 30.0f;         // pixels, > 0
+    // Which neighbours count as the same surface; tested before their reservoirs are read.
+    float normalThreshold = 0.9f;   // cosine between shading normals, [-1, 1]
+    float depthThreshold = 0.1f;    // of linear depth, relative, > 0
+    Weights weights = Weights::Pairwise;
+    VisibilityReuse visibility = VisibilityReuse::Traced;
+};
+
+struct Settings {
+    DiSettings di;
+    bool counters = false;   // sum up rays and rejected weights (Session::counters); costs atomics
+};
+
+}   // namespace restir

@@ -1,0 +1,37 @@
+// ReSTIR DI: what its passes and the host agree on.
+#ifndef RESTIR_SHARED_DI_H
+#define RESTIR_SHARED_DI_H
+#include "restir/shared/types.h"
+RS_SHARED_BEGIN
+
+// One light sample kept for one pixel, 16 bytes. What can be recomputed (target, position) is not stored.
+struct RsReservoir {
+    uint light;        // light id; RS_NO_LIGHT when empty
+    uint uv;           // 2 x 16-bit position on the light
+    float ucw;         // unbiased contribution weight W; finite and >= 0, checked before the store
+    uint confidence;   // bits 0..15 confidence M in pixel-frames, bits 16..31 age in frames
+};
+
+struct RsDiConstants {
+    uint lightCandidates;
+    uint bsdfCandidates;
+    uint maxHistory;
+    uint neighbours;
+    float radius;              // pixels
+    float normalThreshold;     // cosine
+    float depthThreshold;      // relative
+    uint weights;              // RS_WEIGHTS_*
+    uint visibility;           // RS_VISIBILITY_*
+};
+
+RS_SHARED_END
+
+#define RS_WEIGHTS_OFF 0u
+#define RS_WEIGHTS_BASIC 1u
+#define RS_WEIGHTS_BALANCE 2u
+#define RS_WEIGHTS_PAIRWISE 3u
+#define RS_VISIBILITY_NONE 0u
+#define RS_VISIBILITY_CACHED 1u
+#define RS_VISIBILITY_TRACED 2u
+
+#endif

@@ -1,0 +1,109 @@
+// Per-frame constants and the bindings of set 0.
+#ifndef RESTIR_SHARED_FRAME_H
+#define RESTIR_SHARED_FRAME_H
+#include "restir/shared/di.h"
+#include "restir/shared/types.h"
+RS_SHARED_BEGIN
+
+// A camera, split so that a position is rebuilt from pixel and linear depth without inverting a product.
+struct RsView {
+    vec4 viewFromWorld[3];   // rows of the affine transform
+    vec3 axisX;              // columns of its inverse: world-space images of the view axes
+    vec3 axisY;
+    vec3 axisZ;
+    vec3 eye;
+    vec4 projection;   // clip.x = x * depthOrOne^-1 ...: P00, P11, and the offsets P20 * zSign, P21 * zSign
+    vec2 translation;  // P30, P31
+    vec4 depthTerms;   // P22, P32, P23, P33: device depth to view z
+    float zSign;       // view z = zSign * linear depth
+    float perspective; // 1: w = linear depth; 0: orthographic, w = 1
+    vec2 jitter;       // NDC, added to every projected position
+};
+
+struct RsFrame {
+    RsView view;
+    RsView previousView;
+    uvec2 extent;
+    uvec2 previousExtent;
+    uvec2 gbufferOrigin;   // of the view's rectangle inside the host's images
+    uvec2 outputOrigin;
+    uint seed;             // hash of FrameInput::frameIndex and seed
+    uint lightCount;       // columns of the alias table; 0: nothing to draw
+    uint previousLightCount;
+    uint flags;            // RS_FRAME_*
+    float emptyDepth;      // G-buffer depth that means "nothing here"
+    float exposure;        // multiplies outputs only
+    vec2 motionScale;      // host motion to pixels, previous minus current
+    uint normalEncoding;   // RS_NORMAL_*
+    uint rayLogCapacity;   // rays
+    RsDiConstants di;
+};
+
+// Push constants of every pass.
+struct RsPass {
+    uint source;   // reservoir buffer the pass reads
+    uint target;   // and the one it writes
+    uint index;    // of this pass among its like: decorrelates random numbers
+};
+
+// Sums over a frame, for reports and tests; written only with RS_FRAME_COUNT.
+struct RsCounters {
+    uint rays;
+    uint rejectedWeights;   // weights that were not finite or negative, stored as 0 instead
+    uint loggedRays;
+    uint spare;
+};
+
+// One ray of the log: a segment, and what it asks.
+struct RsLoggedRay {
+    vec4 originTmax;       // xyz, tmax
+    vec4 directionClosest; // xyz, 1: closest hit, 0: any hit
+};
+
+RS_SHARED_END
+
+#define RS_FRAME_HISTORY 1u            // the previous frame's surfaces and reservoirs are valid
+#define RS_FRAME_MOTION 2u             // motion image is bound
+#define RS_FRAME_GEOMETRIC_NORMAL 4u
+#define RS_FRAME_MATERIAL 8u
+#define RS_FRAME_EMISSION 16u
+#define RS_FRAME_LINEAR_DEPTH 32u
+#define RS_FRAME_COUNT 64u
+
+#define RS_NORMAL_XYZ 0u               // xyz, signed
+#define RS_NORMAL_XYZ_UNORM 1u         // xyz, 0.5 + 0.5 n
+#define RS_NORMAL_OCTAHEDRAL 2u        // xy, signed
+#define RS_NORMAL_OCTAHEDRAL_UNORM 3u  // xy, 0.5 + 0.5 e
+
+// Set 0 belongs to the SDK, set 1 to the scene: the standard one, or the host's bridge.
+#define RS_SET 0
+#define RS_SET_SCENE 1
+
+#define RS_BIND_FRAME 0
+#define RS_BIND_SURFACES 1            // uvec4: depth, normal, geometric normal, base colour
+#define RS_BIND_SURFACES_MORE 2       // uvec2: roughness/metalness/specular/flags, material id
+#define RS_BIND_SURFACES_FRAME 3      // uvec2: motion, emission; this frame only
+#define RS_BIND_PREVIOUS_SURFACES 4
+#define RS_BIND_PREVIOUS_MORE 5
+#define RS_BIND_RESERVOIRS 6          // [2]
+#define RS_BIND_LIGHTS 7
+#define RS_BIND_PREVIOUS_LIGHTS 8
+#define RS_BIND_ALIAS 9
+#define RS_BIND_TLAS 10
+#define RS_BIND_COUNTERS 11
+#define RS_BIND_RAY_LOG 12
+#define RS_BIND_DEPTH 13
+#define RS_BIND_NORMAL 14
+#define RS_BIND_GEOMETRIC_NORMAL 15
+#define RS_BIND_BASE_COLOR 16
+#define RS_BIND_MATERIAL 17
+#define RS_BIND_MOTION 18
+#define RS_BIND_EMISSION 19
+#define RS_BIND_RADIANCE 20
+#define RS_BIND_COUNT 21
+
+#define RS_SCENE_BIND_INSTANCES 0
+#define RS_SCENE_BIND_MATERIALS 1
+#define RS_SCENE_BIND_TEXTURES 2
+
+#endif

@@ -1,0 +1,28 @@
+// What every object needs of the host's device.
+#pragma once
+
+#include <device/functions.h>
+#include <device/messages.h>
+
+namespace restir {
+
+struct Device {
+    DeviceInfo info;
+    Functions functions;
+    VkPhysicalDeviceMemoryProperties memory{};
+    VkPhysicalDeviceLimits limits{};
+    bool timestamps = false;   // the queue family has them
+
+    const VkAllocationCallbacks* allocator() const noexcept { return info.hostAllocator; }
+    const MessageSink& sink() const noexcept { return info.messages; }
+    void name(VkObjectType type, uint64_t handle, const char* text) const noexcept;
+};
+
+// Vulkan handles are pointers or integers, depending on the platform.
+template <class Handle>
+uint64_t handleValue(Handle handle) noexcept {
+    if constexpr (std::is_pointer_v<Handle>) return uint64_t(reinterpret_cast<uintptr_t>(handle));
+    else return handle;
+}
+
+}   // namespace restir

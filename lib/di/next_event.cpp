@@ -1,0 +1,13 @@
+#include <di/stages.h>
+#include <frame/pass.h>
+
+namespace restir::di {
+
+PassInfo nextEvent() noexcept {
+    return makePass("di.next_event", {{Resource::Surfaces, Access::Read},
+                                      {Resource::Scene, Access::Read},
+                                      {Resource::Lights, Access::Read},
+                                      {Resource::Outputs, Access::Write}});
+}
+
+}   // namespace restir::di

@@ -1,0 +1,18 @@
+#include <di/stages.h>
+#include <frame/pass.h>
+
+namespace restir::di {
+
+PassInfo spatial(uint32_t source, uint32_t target, uint32_t index) noexcept {
+    PassInfo pass = makePass("di.spatial", {{Resource::Surfaces, Access::Read},
+                                            {Resource::Scene, Access::Read},
+                                            {Resource::Lights, Access::Read},
+                                            {reservoirs(source), Access::Read},
+                                            {reservoirs(target), Access::Write}});
+    pass.source = source;
+    pass.target = target;
+    pass.index = index;
+    return pass;
+}
+
+}   // namespace restir::di

@@ -1,0 +1,14 @@
+// The stages of ReSTIR DI as the plan sees them. Reservoir buffers are 0 (A) and 1 (B).
+#pragma once
+
+#include <restir/session.h>
+
+namespace restir::di {
+
+PassInfo candidates(uint32_t target) noexcept;
+PassInfo temporal(uint32_t history, uint32_t target) noexcept;   // rewrites its own pixel of `target`
+PassInfo spatial(uint32_t source, uint32_t target, uint32_t index) noexcept;
+PassInfo shade(uint32_t buffer, bool kills) noexcept;   // `kills`: occluded samples are emptied
+PassInfo nextEvent() noexcept;
+
+}   // namespace restir::di

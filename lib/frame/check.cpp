@@ -1,0 +1,102 @@
+#include <frame/check.h>
+
+#include <cmath>
+
+#include <device/internals.h>
+#include <lights/table_impl.h>
+
+namespace restir {
+namespace {
+
+bool allFinite(const float* values, size_t count) noexcept {
+    for (size_t i = 0; i < count; ++i)
+        if (!std::isfinite(values[i])) return false;
+    return true;
+}
+
+Status checkCamera(const MessageSink& sink, const Camera& camera) noexcept {
+    const float* v = camera.viewFromWorld.m;
+    const float* p = camera.clipFromView.m;
+    if (!allFinite(v, 16)) return refuse(sink, "restir: FrameInput::camera.viewFromWorld is not finite");
+    if (!allFinite(p, 16)) return refuse(sink, "restir: FrameInput::camera.clipFromView is not finite");
+    if (!allFinite(camera.jitter, 2)) return refuse(sink, "restir: FrameInput::camera.jitter is not finite");
+    const double determinant = double(v[0]) * (double(v[5]) * v[10] - double(v[9]) * v[6]) -
+                               double(v[4]) * (double(v[1]) * v[10] - double(v[9]) * v[2]) +
+                               double(v[8]) * (double(v[1]) * v[6] - double(v[5]) * v[2]);
+    if (determinant == 0) return refuse(sink, "restir: FrameInput::camera.viewFromWorld is singular");
+    if (p[0] == 0 || p[5] == 0) return refuse(sink, "restir: FrameInput::camera.clipFromView has no extent in x or y");
+    const bool perspective = p[11] != 0;
+    if (perspective && std::abs(std::abs(p[11]) - 1) > 1e-4f)
+        return refuse(sink, "restir: FrameInput::camera.clipFromView has clip.w = %g z, must be z or -z", double(p[11]));
+    return Status::Ok;
+}
+
+Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
+    auto range = [&](const char* name, uint32_t value, uint32_t low, uint32_t high) {
+        return value >= low && value <= high
+                   ? Status::Ok
+                   : refuse(sink, "restir: DiSettings::%s is %u, must be in [%u, %u]", name, value, low, high);
+    };
+    if (Status s = range("lightCandidates", di.lightCandidates, 1, 65536); s != Status::Ok) return s;
+    if (Status s = range("bsdfCandidates", di.bsdfCandidates, 0, 8); s != Status::Ok) return s;
+    if (Status s = range("maxHistory", di.maxHistory, 0, 1000); s != Status::Ok) return s;
+    if (Status s = range("spatialPasses", di.spatialPasses, 0, kMaxSpatialPasses); s != Status::Ok) return s;
+    if (Status s = range("neighbours", di.neighbours, 1, 16); s != Status::Ok) return s;
+    if (!(di.radius > 0 && di.radius <= 1e4f))
+        return refuse(sink, "restir: DiSettings::radius is %g, must be in (0, 10000]", double(di.radius));
+    if (!(di.normalThreshold >= -1 && di.normalThreshold <= 1))
+        return refuse(sink, "restir: DiSettings::normalThreshold is %g, must be in [-1, 1]", double(di.normalThreshold));
+    if (!(di.depthThreshold > 0)) return refuse(sink, "restir: DiSettings::depthThreshold is %g, must be > 0",
+                                                double(di.depthThreshold));
+    if (di.weights > Weights::Pairwise) return refuse(sink, "restir: DiSettings::weights is %d", int(di.weights));
+    if (di.visibility > VisibilityReuse::Traced)
+        return refuse(sink, "restir: DiSettings::visibility is %d", int(di.visibility));
+    return Status::Ok;
+}
+
+Status checkImages(const MessageSink& sink, const FrameInput& frame) noexcept {
+    const GBuffer& g = frame.gbuffer;
+    if (!g.depth.view) return refuse(sink, "restir: FrameInput::gbuffer.depth is null");
+    if (!g.normal.view) return refuse(sink, "restir: FrameInput::gbuffer.normal is null");
+    if (!g.baseColor.view) return refuse(sink, "restir: FrameInput::gbuffer.baseColor is null");
+    if (g.origin.x < 0 || g.origin.y < 0)
+        return refuse(sink, "restir: FrameInput::gbuffer.origin is (%d, %d)", g.origin.x, g.origin.y);
+    if (!frame.output.radiance) return refuse(sink, "restir: FrameInput::output.radiance is null");
+    if (frame.output.origin.x < 0 || frame.output.origin.y < 0)
+        return refuse(sink, "restir: FrameInput::output.origin is (%d, %d)", frame.output.origin.x,
+                      frame.output.origin.y);
+    if (!allFinite(g.motionScale, 2)) return refuse(sink, "restir: FrameInput::gbuffer.motionScale is not finite");
+    return Status::Ok;
+}
+
+}   // namespace
+
+Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+    const MessageSink& sink = s.device().sink();
+    const VkExtent2D max = s.desc.maxExtent, e = frame.extent;
+    if (frame.frameSlot >= s.context->framesInFlight)
+        return refuse(sink, "restir: FrameInput::frameSlot is %u, framesInFlight is %u", frame.frameSlot,
+                      s.context->framesInFlight);
+    if (e.width == 0 || e.height == 0 || e.width > max.width || e.height > max.height)
+        return refuse(sink, "restir: FrameInput::extent is %u x %u, maxExtent %u x %u", e.width, e.height, max.width,
+                      max.height);
+    if (!frame.lights) return refuse(sink, "restir: FrameInput::lights is null");
+    if (Internals::of(*frame.lights).uploaded)
+        return refuse(sink, "restir: FrameInput::lights has an upload that LightTable::record has not recorded");
+    if (!frame.tlas) return refuse(sink, "restir: FrameInput::tlas is null");
+    if (s.context->ownsSceneLayout && !frame.scene) return refuse(sink, "restir: FrameInput::scene is null");
+    if (!s.context->ownsSceneLayout && !frame.bridgeSet) return refuse(sink, "restir: FrameInput::bridgeSet is null");
+    if (!std::isfinite(frame.exposure) || frame.exposure < 0)
+        return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
+    if (Status status = checkImages(sink, frame); status != Status::Ok) return status;
+    if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
+    return checkSettings(sink, settings.di);
+}
+
+bool historyUsable(const Session::Impl& s, const FrameInput& frame) noexcept {
+    if (!s.history.valid || frame.resetHistory) return false;
+    const LightTable::Impl& lights = Internals::of(*frame.lights);
+    return s.history.lights == &lights && lights.generation - s.history.lightGeneration <= 1;
+}
+
+}   // namespace restir

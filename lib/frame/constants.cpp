@@ -1,0 +1,95 @@
+#include <frame/constants.h>
+
+#include <glm/glm.hpp>
+
+#include <device/internals.h>
+#include <lights/table_impl.h>
+
+namespace restir {
+namespace {
+
+gpu::vec3 toVec3(glm::dvec3 v) noexcept { return {float(v.x), float(v.y), float(v.z)}; }
+
+// SplitMix64's finaliser (Steele et al. 2014): every bit of both inputs reaches every bit of the seed.
+uint32_t seedOf(uint64_t frameIndex, uint32_t seed) noexcept {
+    uint64_t z = frameIndex * 0x9e3779b97f4a7c15u + (uint64_t(seed) << 32 | 0x5851f42du);
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return uint32_t(z ^ z >> 31);
+}
+
+uint32_t flagsOf(const FrameInput& frame, const Settings& settings, bool history) noexcept {
+    uint32_t flags = 0;
+    if (history) flags |= RS_FRAME_HISTORY;
+    if (frame.gbuffer.motion.view) flags |= RS_FRAME_MOTION;
+    if (frame.gbuffer.geometricNormal.view) flags |= RS_FRAME_GEOMETRIC_NORMAL;
+    if (frame.gbuffer.material.view) flags |= RS_FRAME_MATERIAL;
+    if (frame.gbuffer.emission.view) flags |= RS_FRAME_EMISSION;
+    if (frame.gbuffer.depthKind == DepthKind::Linear) flags |= RS_FRAME_LINEAR_DEPTH;
+    if (settings.counters) flags |= RS_FRAME_COUNT;
+    return flags;
+}
+
+gpu::RsDiConstants diConstants(const DiSettings& di) noexcept {
+    return {.lightCandidates = di.lightCandidates,
+            .bsdfCandidates = di.bsdfCandidates,
+            .maxHistory = di.maxHistory,
+            .neighbours = di.neighbours,
+            .radius = di.radius,
+            .normalThreshold = di.normalThreshold,
+            .depthThreshold = di.depthThreshold,
+            .weights = uint32_t(di.weights),
+            .visibility = uint32_t(di.visibility)};
+}
+
+}   // namespace
+
+gpu::RsView makeView(const Camera& camera, VkExtent2D extent) noexcept {
+    const float* v = camera.viewFromWorld.m;
+    const float* p = camera.clipFromView.m;
+    gpu::RsView view{};
+    for (int row = 0; row < 3; ++row) view.viewFromWorld[row] = {v[row], v[4 + row], v[8 + row], v[12 + row]};
+    glm::dmat3 axes;
+    for (int column = 0; column < 3; ++column)
+        axes[column] = {double(v[4 * column]), double(v[4 * column + 1]), double(v[4 * column + 2])};
+    const glm::dmat3 inverse = glm::inverse(axes);
+    view.axisX = toVec3(inverse[0]);
+    view.axisY = toVec3(inverse[1]);
+    view.axisZ = toVec3(inverse[2]);
+    view.eye = toVec3(-(inverse * glm::dvec3(v[12], v[13], v[14])));
+    const bool perspective = p[11] != 0;
+    view.zSign = p[11] > 0 ? 1.0f : -1.0f;
+    view.perspective = perspective ? 1.0f : 0.0f;
+    view.projection = {p[0], p[5], p[8] * view.zSign, p[9] * view.zSign};
+    view.translation = {p[12], p[13]};
+    view.depthTerms = {p[10], p[14], p[11], p[15]};
+    view.jitter = {2 * camera.jitter[0] / float(extent.width), 2 * camera.jitter[1] / float(extent.height)};
+    return view;
+}
+
+gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, const Settings& settings,
+                           bool history) noexcept {
+    const LightTable::Impl& lights = Internals::of(*frame.lights);
+    const bool lightsChanged = history && lights.generation != s.history.lightGeneration;
+    const GBuffer& g = frame.gbuffer;
+    gpu::RsFrame c{};
+    c.view = makeView(frame.camera, frame.extent);
+    c.previousView = history ? s.history.view : c.view;
+    c.extent = {frame.extent.width, frame.extent.height};
+    c.previousExtent = history ? gpu::uvec2{s.history.extent.width, s.history.extent.height} : c.extent;
+    c.gbufferOrigin = {uint32_t(g.origin.x), uint32_t(g.origin.y)};
+    c.outputOrigin = {uint32_t(frame.output.origin.x), uint32_t(frame.output.origin.y)};
+    c.seed = seedOf(frame.frameIndex, frame.seed);
+    c.lightCount = lights.count;
+    c.previousLightCount = lightsChanged ? lights.previousCount : lights.count;
+    c.flags = flagsOf(frame, settings, history);
+    c.emptyDepth = g.emptyDepth;
+    c.exposure = frame.exposure;
+    c.motionScale = {g.motionScale[0], g.motionScale[1]};
+    c.normalEncoding = uint32_t(g.normals);
+    c.rayLogCapacity = s.desc.rayLogCapacity;
+    c.di = diConstants(settings.di);
+    return c;
+}
+
+}   // namespace restir

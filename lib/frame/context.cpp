@@ -1,0 +1,136 @@
+#include <cstring>
+
+#include <frame/context_impl.h>
+#include <frame/layouts.h>
+#include <restir_embedded.h>
+
+namespace restir {
+namespace {
+
+const ShaderPack::Module* findModule(const ShaderPack& pack, const char* pass) noexcept {
+    for (const ShaderPack::Module& module : pack.modules)
+        if (!std::strcmp(module.pass, pass)) return &module;
+    return nullptr;
+}
+
+VkResult makePipeline(const Context::Impl& c, const ShaderPack::Module& module, VkPipeline& pipeline) noexcept {
+    const Functions& f = c.device.functions;
+    const VkDevice device = c.device.info.device;
+    const VkShaderModuleCreateInfo moduleInfo{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                              .codeSize = module.wordCount * sizeof(uint32_t),
+                                              .pCode = module.words};
+    VkShaderModule shader = VK_NULL_HANDLE;
+    if (VkResult vk = f.vkCreateShaderModule(device, &moduleInfo, c.device.allocator(), &shader); vk != VK_SUCCESS)
+        return vk;
+    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                           .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                                     .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                                                     .module = shader,
+                                                     .pName = "main"},
+                                           .layout = c.pipelineLayout};
+    const VkResult vk =
+        f.vkCreateComputePipelines(device, c.device.info.pipelineCache, 1, &info, c.device.allocator(), &pipeline);
+    f.vkDestroyShaderModule(device, shader, c.device.allocator());
+    return vk;
+}
+
+Result<bool> makePipelines(Context::Impl& c, const ShaderPack& pack) noexcept {
+    const MessageSink& sink = c.device.sink();
+    if (pack.shaderAbi != RESTIR_SHADER_ABI) {
+        report(sink, Severity::Error, "restir: ContextDesc::shaders has ABI %u, this library %d", pack.shaderAbi,
+               RESTIR_SHADER_ABI);
+        return Error{Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders was built against another ABI"};
+    }
+    for (Context::Impl::Pipeline& entry : c.pipelines) {
+        const ShaderPack::Module* module = findModule(pack, entry.pass);
+        if (!module) {
+            report(sink, Severity::Error, "restir: ContextDesc::shaders lacks the pass %s", entry.pass);
+            return Error{Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders lacks a pass"};
+        }
+        const VkResult vk = makePipeline(c, *module, entry.pipeline);
+        if (vk != VK_SUCCESS) {
+            report(sink, Severity::Error, "restir: creating the pipeline of %s failed", entry.pass);
+            return failure(sink, Status::DeviceError, "creating a pipeline failed", vk);
+        }
+        c.device.name(VK_OBJECT_TYPE_PIPELINE, handleValue(entry.pipeline), entry.pass);
+    }
+    return true;
+}
+
+Status checkDesc(const ContextDesc& desc) noexcept {
+    const MessageSink& sink = desc.device.messages;
+    if (!desc.device.getInstanceProcAddr) return refuse(sink, "restir: DeviceInfo::getInstanceProcAddr is null");
+    if (!desc.device.instance) return refuse(sink, "restir: DeviceInfo::instance is null");
+    if (!desc.device.physicalDevice) return refuse(sink, "restir: DeviceInfo::physicalDevice is null");
+    if (!desc.device.device) return refuse(sink, "restir: DeviceInfo::device is null");
+    if ((desc.device.memory.acquire == nullptr) != (desc.device.memory.release == nullptr))
+        return refuse(sink, "restir: DeviceInfo::memory needs both acquire and release, or neither");
+    if (desc.framesInFlight < 1 || desc.framesInFlight > 16)
+        return refuse(sink, "restir: ContextDesc::framesInFlight is %u, must be in [1, 16]", desc.framesInFlight);
+    if (desc.maxTextures < 1) return refuse(sink, "restir: ContextDesc::maxTextures is 0");
+    return Status::Ok;
+}
+
+Status queryDevice(Device& device, uint32_t queueFamily) noexcept {
+    if (const char* missing = loadInstanceFunctions(device.info, device.functions)) {
+        report(device.sink(), Severity::Error, "restir: the loader lacks %s", missing);
+        return Status::MissingFeature;
+    }
+    if (const char* missing = loadDeviceFunctions(device.info, device.functions)) {
+        report(device.sink(), Severity::Error, "restir: the device lacks %s", missing);
+        return Status::MissingFeature;
+    }
+    const Functions& f = device.functions;
+    f.vkGetPhysicalDeviceMemoryProperties(device.info.physicalDevice, &device.memory);
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    f.vkGetPhysicalDeviceProperties2(device.info.physicalDevice, &properties);
+    device.limits = properties.properties.limits;
+
+    VkQueueFamilyProperties families[64];
+    uint32_t count = 64;
+    f.vkGetPhysicalDeviceQueueFamilyProperties(device.info.physicalDevice, &count, families);
+    if (queueFamily >= count)
+        return refuse(device.sink(), "restir: ContextDesc::queueFamily is %u, the device has %u", queueFamily, count);
+    if (!(families[queueFamily].queueFlags & VK_QUEUE_COMPUTE_BIT))
+        return refuse(device.sink(), "restir: ContextDesc::queueFamily %u has no compute", queueFamily);
+    device.timestamps = families[queueFamily].timestampValidBits > 0;
+    return Status::Ok;
+}
+
+}   // namespace
+
+Context::Context(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+Context::Context(Context&&) noexcept = default;
+Context& Context::operator=(Context&&) noexcept = default;
+Context::~Context() = default;
+
+Result<Context> Context::create(const ContextDesc& desc) noexcept {
+    if (Status s = checkDesc(desc); s != Status::Ok) return Error{s, VK_SUCCESS, "ContextDesc is invalid"};
+    auto impl = std::make_unique<Impl>();
+    impl->device.info = desc.device;
+    impl->framesInFlight = desc.framesInFlight;
+    impl->maxTextures = desc.maxTextures;
+    if (Status s = queryDevice(impl->device, desc.queueFamily); s != Status::Ok)
+        return Error{s, VK_SUCCESS, "the device cannot be used"};
+    if (auto made = makeLayouts(*impl, desc.bridgeSetLayout); !made) return made.error();
+    if (auto made = makePipelines(*impl, desc.shaders ? *desc.shaders : kEmbeddedPack); !made) return made.error();
+    return Context(std::move(impl));
+}
+
+VkPipeline Context::Impl::pipelineOf(const char* pass) const noexcept {
+    for (const Pipeline& entry : pipelines)
+        if (!std::strcmp(entry.pass, pass)) return entry.pipeline;
+    return VK_NULL_HANDLE;
+}
+
+Context::Impl::~Impl() {
+    const Functions& f = device.functions;
+    const VkDevice vk = device.info.device;
+    for (const Pipeline& entry : pipelines)
+        if (entry.pipeline) f.vkDestroyPipeline(vk, entry.pipeline, device.allocator());
+    if (pipelineLayout) f.vkDestroyPipelineLayout(vk, pipelineLayout, device.allocator());
+    if (frameLayout) f.vkDestroyDescriptorSetLayout(vk, frameLayout, device.allocator());
+    if (sceneLayout && ownsSceneLayout) f.vkDestroyDescriptorSetLayout(vk, sceneLayout, device.allocator());
+}
+
+}   // namespace restir

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+
+#include <device/device.h>
+#include <restir/context.h>
+#include <restir/shared/frame.h>
+
+namespace restir {
+
+struct Context::Impl {
+    Device device;
+    uint32_t framesInFlight = 0;
+    uint32_t maxTextures = 0;
+    bool ownsSceneLayout = false;
+    VkDescriptorSetLayout frameLayout = VK_NULL_HANDLE;   // set 0
+    VkDescriptorSetLayout sceneLayout = VK_NULL_HANDLE;   // set 1: ours or the host's bridge's
+    VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
+
+    struct Pipeline {
+        const char* pass = "";
+        VkPipeline pipeline = VK_NULL_HANDLE;
+    };
+    std::array<Pipeline, 6> pipelines{{{"surface.pack"},
+                                       {"di.candidates"},
+                                       {"di.temporal"},
+                                       {"di.spatial"},
+                                       {"di.shade"},
+                                       {"di.next_event"}}};
+
+    VkPipeline pipelineOf(const char* pass) const noexcept;
+    ~Impl();
+};
+
+}   // namespace restir

@@ -1,0 +1,79 @@
+#include <frame/layouts.h>
+
+namespace restir {
+namespace {
+
+VkResult makeSetLayout(const Device& device, std::span<const VkDescriptorSetLayoutBinding> bindings,
+                       std::span<const VkDescriptorBindingFlags> flags, VkDescriptorSetLayout& layout) noexcept {
+    const VkDescriptorSetLayoutBindingFlagsCreateInfo flagInfo{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO,
+        .bindingCount = uint32_t(flags.size()),
+        .pBindingFlags = flags.data()};
+    const VkDescriptorSetLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                               .pNext = &flagInfo,
+                                               .bindingCount = uint32_t(bindings.size()),
+                                               .pBindings = bindings.data()};
+    return device.functions.vkCreateDescriptorSetLayout(device.info.device, &info, device.allocator(), &layout);
+}
+
+VkResult makeFrameLayout(Context::Impl& c) noexcept {
+    VkDescriptorSetLayoutBinding bindings[RS_BIND_COUNT];
+    VkDescriptorBindingFlags flags[RS_BIND_COUNT];
+    for (uint32_t i = 0; i < RS_BIND_COUNT; ++i) {
+        bindings[i] = {.binding = i,
+                       .descriptorType = bindingType(i),
+                       .descriptorCount = bindingCount(i),
+                       .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
+        flags[i] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // absent images stay unbound behind a flag
+    }
+    return makeSetLayout(c.device, bindings, flags, c.frameLayout);
+}
+
+VkResult makeSceneLayout(Context::Impl& c) noexcept {
+    const VkDescriptorSetLayoutBinding bindings[] = {
+        {.binding = RS_SCENE_BIND_INSTANCES,
+         .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+         .descriptorCount = 1,
+         .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT},
+        {.binding = RS_SCENE_BIND_MATERIALS,
+         .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+         .descriptorCount = 1,
+         .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT},
+        {.binding = RS_SCENE_BIND_TEXTURES,
+         .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+         .descriptorCount = c.maxTextures,
+         .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT},
+    };
+    const VkDescriptorBindingFlags flags[] = {0, 0, VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT};
+    c.ownsSceneLayout = true;
+    return makeSetLayout(c.device, bindings, flags, c.sceneLayout);
+}
+
+VkResult makePipelineLayout(Context::Impl& c) noexcept {
+    const VkDescriptorSetLayout sets[] = {c.frameLayout, c.sceneLayout};
+    const VkPushConstantRange push{.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT, .size = sizeof(gpu::RsPass)};
+    const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                          .setLayoutCount = 2,
+                                          .pSetLayouts = sets,
+                                          .pushConstantRangeCount = 1,
+                                          .pPushConstantRanges = &push};
+    return c.device.functions.vkCreatePipelineLayout(c.device.info.device, &info, c.device.allocator(),
+                                                     &c.pipelineLayout);
+}
+
+}   // namespace
+
+Result<bool> makeLayouts(Context::Impl& c, VkDescriptorSetLayout bridge) noexcept {
+    const MessageSink& sink = c.device.sink();
+    if (VkResult vk = makeFrameLayout(c); vk != VK_SUCCESS)
+        return failure(sink, Status::DeviceError, "creating the frame's set layout failed", vk);
+    c.sceneLayout = bridge;
+    if (!bridge)
+        if (VkResult vk = makeSceneLayout(c); vk != VK_SUCCESS)
+            return failure(sink, Status::DeviceError, "creating the scene's set layout failed", vk);
+    if (VkResult vk = makePipelineLayout(c); vk != VK_SUCCESS)
+        return failure(sink, Status::DeviceError, "creating the pipeline layout failed", vk);
+    return true;
+}
+
+}   // namespace restir

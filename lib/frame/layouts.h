@@ -1,0 +1,23 @@
+// Descriptor set and pipeline layouts, in one place with the binding numbers of restir/shared/frame.h.
+#pragma once
+
+#include <frame/context_impl.h>
+
+namespace restir {
+
+constexpr VkDescriptorType bindingType(uint32_t binding) noexcept {
+    switch (binding) {
+        case RS_BIND_FRAME: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+        case RS_BIND_TLAS: return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+        case RS_BIND_RADIANCE: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+        default:
+            return binding >= RS_BIND_DEPTH ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    }
+}
+
+constexpr uint32_t bindingCount(uint32_t binding) noexcept { return binding == RS_BIND_RESERVOIRS ? 2 : 1; }
+
+// Fills frameLayout, sceneLayout and pipelineLayout.
+Result<bool> makeLayouts(Context::Impl& context, VkDescriptorSetLayout bridge) noexcept;
+
+}   // namespace restir

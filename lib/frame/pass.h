@@ -1,0 +1,20 @@
+// How a stage describes itself to the plan.
+#pragma once
+
+#include <initializer_list>
+
+#include <restir/session.h>
+
+namespace restir {
+
+inline PassInfo makePass(const char* name, std::initializer_list<PassInfo::Use> uses) noexcept {
+    PassInfo pass{.name = name};
+    for (const PassInfo::Use& use : uses) pass.useList[pass.useCount++] = use;
+    return pass;
+}
+
+constexpr Resource reservoirs(uint32_t buffer) noexcept {
+    return buffer == 0 ? Resource::ReservoirsA : Resource::ReservoirsB;
+}
+
+}   // namespace restir

@@ -1,0 +1,32 @@
+// The order of the stages: everything record() will dispatch, known before it does, without a GPU.
+#pragma once
+
+#include <vector>
+
+#include <restir/session.h>
+
+namespace restir {
+
+struct PlanInput {
+    VkExtent2D extent = {0, 0};
+    bool history = false;    // the previous frame's surfaces and reservoirs are valid
+    uint32_t historyIn = 0;  // reservoir buffer (0 or 1) that holds them
+};
+
+struct Plan {
+    std::vector<PassInfo> passes;
+    uint32_t historyOut = 0;   // reservoir buffer that holds this frame's result
+};
+
+Plan makePlan(const PlanInput& input, const Settings& settings);
+
+// Whether `pass` must wait for something since the last barrier. `written` and `read` hold a bit per Resource used
+// since then.
+struct Hazards {
+    uint32_t read = 0, written = 0;
+
+    bool conflicts(const PassInfo& pass) const noexcept;
+    void add(const PassInfo& pass) noexcept;
+};
+
+}   // namespace restir

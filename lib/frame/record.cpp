@@ -1,0 +1,138 @@
+// Session::record: the plan, put into the host's command buffer.
+#include <cstring>
+
+#include <device/internals.h>
+#include <frame/check.h>
+#include <frame/constants.h>
+#include <frame/descriptors.h>
+#include <lights/table_impl.h>
+#include <scene/scene_impl.h>
+
+namespace restir {
+namespace {
+
+constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
+constexpr VkAccessFlags2 kShaderWrite = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+constexpr VkAccessFlags2 kShaderAccess = kShaderWrite | VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
+
+// Records one frame's passes; only lives during record().
+class Recorder {
+public:
+    Recorder(const Session::Impl& session, VkCommandBuffer cmd, uint32_t slot) noexcept
+        : s_(session), f_(session.device().functions), cmd_(cmd), slot_(slot) {}
+
+    void barrier(VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to, VkAccessFlags2 access) noexcept {
+        const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                                      .srcStageMask = from,
+                                      .srcAccessMask = wrote,
+                                      .dstStageMask = to,
+                                      .dstAccessMask = access};
+        const VkDependencyInfo info{
+            .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &memory};
+        f_.vkCmdPipelineBarrier2(cmd_, &info);
+    }
+
+    void clearCounters() noexcept {
+        f_.vkCmdFillBuffer(cmd_, s_.buffer(SessionBuffer::Counters), 0, VK_WHOLE_SIZE, 0);
+        barrier(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute, kShaderAccess);
+    }
+
+    void readCounters() noexcept {
+        barrier(kCompute, kShaderWrite, kTransfer, VK_ACCESS_2_TRANSFER_READ_BIT);
+        const VkBufferCopy all{.size = sizeof(gpu::RsCounters)};
+        f_.vkCmdCopyBuffer(cmd_, s_.buffer(SessionBuffer::Counters), s_.buffers.buffer(s_.readbackOf(slot_)), 1, &all);
+        barrier(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+    }
+
+    void bind(VkDescriptorSet scene) noexcept {
+        const VkDescriptorSet sets[] = {s_.sets[slot_], scene};
+        f_.vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineLayout, 0, 2, sets, 0, nullptr);
+    }
+
+    void resetQueries() noexcept {
+        if (s_.queries) f_.vkCmdResetQueryPool(cmd_, s_.queries, firstQuery(), 2 * kMaxTimedPasses);
+    }
+
+    void pass(const PassInfo& pass, uint32_t number) noexcept {
+        if (hazards_.conflicts(pass)) {
+            barrier(kCompute, kShaderWrite, kCompute, kShaderAccess);
+            hazards_ = {};
+        }
+        hazards_.add(pass);
+        beginLabel(pass.name);
+        stamp(2 * number);
+        f_.vkCmdBindPipeline(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineOf(pass.name));
+        const gpu::RsPass constants{.source = pass.source, .target = pass.target, .index = pass.index};
+        f_.vkCmdPushConstants(cmd_, s_.context->pipelineLayout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
+        f_.vkCmdDispatch(cmd_, pass.groups[0], pass.groups[1], pass.groups[2]);
+        stamp(2 * number + 1);
+        endLabel();
+    }
+
+    void beginLabel(const char* name) noexcept {
+        if (!f_.vkCmdBeginDebugUtilsLabelEXT) return;
+        const VkDebugUtilsLabelEXT label{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, .pLabelName = name};
+        f_.vkCmdBeginDebugUtilsLabelEXT(cmd_, &label);
+    }
+    void endLabel() noexcept {
+        if (f_.vkCmdEndDebugUtilsLabelEXT) f_.vkCmdEndDebugUtilsLabelEXT(cmd_);
+    }
+
+private:
+    uint32_t firstQuery() const noexcept { return slot_ * 2 * kMaxTimedPasses; }
+    void stamp(uint32_t query) noexcept {
+        if (s_.queries) f_.vkCmdWriteTimestamp2(cmd_, kCompute, s_.queries, firstQuery() + query);
+    }
+
+    const Session::Impl& s_;
+    const Functions& f_;
+    VkCommandBuffer cmd_;
+    uint32_t slot_;
+    Hazards hazards_;
+};
+
+void recordPasses(const Session::Impl& s, VkCommandBuffer cmd, const FrameInput& frame, bool counters) noexcept {
+    Recorder recorder(s, cmd, frame.frameSlot);
+    recorder.beginLabel("restir");
+    // The history of this view, the last readers of what is rewritten now, and the last use of the counters.
+    recorder.barrier(kCompute | kTransfer, kShaderWrite | VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute | kTransfer,
+                     kShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    recorder.resetQueries();
+    if (counters) recorder.clearCounters();
+    recorder.bind(frame.scene ? Internals::of(*frame.scene).set : frame.bridgeSet);
+    for (uint32_t i = 0; i < s.plan.passes.size(); ++i) recorder.pass(s.plan.passes[i], i);
+    if (counters) recorder.readCounters();
+    recorder.endLabel();
+}
+
+}   // namespace
+
+Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Settings& settings) noexcept {
+    Impl& s = *impl_;
+    if (!cmd) return refuse(s.device().sink(), "restir: Session::record: cmd is null");
+    if (auto planned = plan(frame, settings); !planned) return planned.error().status;
+    const LightTable::Impl& lights = Internals::of(*frame.lights);
+    const bool history = historyUsable(s, frame);
+    const uint32_t surfaces = 1 - s.history.surfaces;
+
+    const gpu::RsFrame constants = makeConstants(s, frame, settings, history);
+    std::memcpy(s.buffers.mapped<uint8_t>(s.constantsOf(frame.frameSlot)), &constants, sizeof constants);
+    const bool sameLights = !history || lights.generation == s.history.lightGeneration;
+    writeDescriptors(s, frame, surfaces, sameLights ? lights.current() : lights.previous());
+    recordPasses(s, cmd, frame, settings.counters);
+
+    std::vector<const char*>& timed = s.timedPasses[frame.frameSlot];
+    timed.clear();
+    for (const PassInfo& pass : s.plan.passes) timed.push_back(pass.name);
+    s.history = {.valid = settings.di.mode == DirectMode::Restir,
+                 .surfaces = surfaces,
+                 .reservoirs = s.plan.historyOut,
+                 .extent = frame.extent,
+                 .view = constants.view,
+                 .lights = &lights,
+                 .lightGeneration = lights.generation};
+    return Status::Ok;
+}
+
+}   // namespace restir

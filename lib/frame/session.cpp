@@ -1,0 +1,177 @@
+#include <frame/session_impl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <device/internals.h>
+#include <frame/check.h>
+#include <frame/layouts.h>
+
+namespace restir {
+namespace {
+
+// Bytes per pixel of each per-pixel stream; elements of at most 16 bytes keep 4K inside the storage buffer range that
+// Vulkan guarantees.
+constexpr VkDeviceSize kSurfaceBytes = 16, kMoreBytes = 8, kSurfaceFrameBytes = 8;
+
+Status checkDesc(const Context::Impl& c, const SessionDesc& desc) noexcept {
+    const VkExtent2D e = desc.maxExtent;
+    if (e.width == 0 || e.height == 0)
+        return refuse(c.device.sink(), "restir: SessionDesc::maxExtent is %u x %u", e.width, e.height);
+    const VkDeviceSize pixels = c.device.limits.maxStorageBufferRange / kSurfaceBytes;
+    if (VkDeviceSize(e.width) * e.height > pixels)
+        return refuse(c.device.sink(), "restir: SessionDesc::maxExtent is %u x %u, this device takes %llu pixels", e.width,
+                      e.height, static_cast<unsigned long long>(pixels));
+    if (VkDeviceSize(desc.rayLogCapacity) * sizeof(gpu::RsLoggedRay) > c.device.limits.maxStorageBufferRange)
+        return refuse(c.device.sink(), "restir: SessionDesc::rayLogCapacity is %u, this device takes %llu rays",
+                      desc.rayLogCapacity,
+                      static_cast<unsigned long long>(c.device.limits.maxStorageBufferRange / sizeof(gpu::RsLoggedRay)));
+    return Status::Ok;
+}
+
+VkResult makeSets(Session::Impl& s) noexcept {
+    const Context::Impl& c = *s.context;
+    const Functions& f = c.device.functions;
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (uint32_t i = 0; i < RS_BIND_COUNT; ++i) sizes.push_back({bindingType(i), bindingCount(i) * c.framesInFlight});
+    const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                              .maxSets = c.framesInFlight,
+                                              .poolSizeCount = uint32_t(sizes.size()),
+                                              .pPoolSizes = sizes.data()};
+    if (VkResult vk = f.vkCreateDescriptorPool(c.device.info.device, &poolInfo, c.device.allocator(), &s.pool);
+        vk != VK_SUCCESS)
+        return vk;
+    const std::vector<VkDescriptorSetLayout> layouts(c.framesInFlight, c.frameLayout);
+    s.sets.resize(c.framesInFlight);
+    const VkDescriptorSetAllocateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                           .descriptorPool = s.pool,
+                                           .descriptorSetCount = c.framesInFlight,
+                                           .pSetLayouts = layouts.data()};
+    if (VkResult vk = f.vkAllocateDescriptorSets(c.device.info.device, &info, s.sets.data()); vk != VK_SUCCESS) return vk;
+    for (VkDescriptorSet set : s.sets) c.device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleValue(set), "frame");
+    return VK_SUCCESS;
+}
+
+VkResult makeQueries(Session::Impl& s) noexcept {
+    const Context::Impl& c = *s.context;
+    s.timedPasses.resize(c.framesInFlight);
+    if (!c.device.timestamps) return VK_SUCCESS;
+    const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                     .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                     .queryCount = 2 * kMaxTimedPasses * c.framesInFlight};
+    return c.device.functions.vkCreateQueryPool(c.device.info.device, &info, c.device.allocator(), &s.queries);
+}
+
+}   // namespace
+
+std::vector<BufferRequest> sessionRequests(const Context::Impl& c, const SessionDesc& desc) {
+    const VkDeviceSize pixels = VkDeviceSize(desc.maxExtent.width) * desc.maxExtent.height;
+    const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const VkBufferUsageFlags counted = storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    const MemoryUse device = MemoryUse::DeviceOnly;
+    std::vector<BufferRequest> requests = {
+        {pixels * kSurfaceBytes, storage, device, "surfaces 0"},
+        {pixels * kSurfaceBytes, storage, device, "surfaces 1"},
+        {pixels * kMoreBytes, storage, device, "surface materials 0"},
+        {pixels * kMoreBytes, storage, device, "surface materials 1"},
+        {pixels * kSurfaceFrameBytes, storage, device, "surface motion and emission"},
+        {pixels * sizeof(gpu::RsReservoir), storage, device, "reservoirs A"},
+        {pixels * sizeof(gpu::RsReservoir), storage, device, "reservoirs B"},
+        {sizeof(gpu::RsCounters), counted, device, "counters"},
+        {std::max(desc.rayLogCapacity, 1u) * sizeof(gpu::RsLoggedRay), counted, device, "ray log"},
+    };
+    for (uint32_t i = 0; i < c.framesInFlight; ++i) {
+        requests.push_back(
+            {sizeof(gpu::RsFrame), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::HostWrite, "frame constants"});
+        requests.push_back(
+            {sizeof(gpu::RsCounters), VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryUse::HostRead, "counter readback"});
+    }
+    return requests;
+}
+
+Session::Session(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+Session::Impl::~Impl() {
+    const Functions& f = device().functions;
+    if (queries) f.vkDestroyQueryPool(device().info.device, queries, device().allocator());
+    if (pool) f.vkDestroyDescriptorPool(device().info.device, pool, device().allocator());
+}
+
+Result<Session> Session::create(const Context& context, const SessionDesc& desc) noexcept {
+    const Context::Impl& c = Internals::of(context);
+    if (Status s = checkDesc(c, desc); s != Status::Ok) return Error{s, VK_SUCCESS, "SessionDesc is invalid"};
+    auto impl = std::make_unique<Impl>();
+    impl->context = &c;
+    impl->desc = desc;
+    const std::vector<BufferRequest> requests = sessionRequests(c, desc);
+    auto buffers = Buffers::create(c.device, requests);
+    if (!buffers) return buffers.error();
+    impl->buffers = std::move(*buffers);
+    for (size_t i = 0; i < requests.size(); ++i)
+        impl->report.push_back({requests[i].name, requests[i].size, i < size_t(SessionBuffer::Counters)});
+    if (VkResult vk = makeSets(*impl); vk != VK_SUCCESS)
+        return failure(c.device.sink(), Status::DeviceError, "allocating the frames' descriptor sets failed", vk);
+    if (VkResult vk = makeQueries(*impl); vk != VK_SUCCESS)
+        return failure(c.device.sink(), Status::DeviceError, "creating the query pool failed", vk);
+    return Session(std::move(impl));
+}
+
+VkDeviceSize Session::memoryNeeded(const Context& context, const SessionDesc& desc) noexcept {
+    const Context::Impl& c = Internals::of(context);
+    return Buffers::memoryNeeded(c.device, sessionRequests(c, desc));
+}
+
+Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const Settings& settings) noexcept {
+    Impl& s = *impl_;
+    if (Status status = checkFrame(s, frame, settings); status != Status::Ok)
+        return Error{status, VK_SUCCESS, "FrameInput or Settings is invalid"};
+    s.plan = makePlan({.extent = frame.extent,
+                       .history = historyUsable(s, frame),
+                       .historyIn = s.history.reservoirs},
+                      settings);
+    return std::span<const PassInfo>(s.plan.passes);
+}
+
+std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {
+    Impl& s = *impl_;
+    s.timings.clear();
+    if (frameSlot >= s.timedPasses.size() || !s.queries || s.timedPasses[frameSlot].empty()) return {};
+    const std::vector<const char*>& passes = s.timedPasses[frameSlot];
+    std::vector<uint64_t> stamps(2 * passes.size());
+    const VkResult vk = s.device().functions.vkGetQueryPoolResults(
+        s.device().info.device, s.queries, frameSlot * 2 * kMaxTimedPasses, uint32_t(stamps.size()),
+        stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
+    if (vk != VK_SUCCESS) return {};
+    for (size_t i = 0; i < passes.size(); ++i) {
+        const double ticks = double(stamps[2 * i + 1] - stamps[2 * i]);
+        s.timings.push_back({passes[i], ticks * double(s.device().limits.timestampPeriod) * 1e-6});
+    }
+    return s.timings;
+}
+
+Counters Session::counters(uint32_t frameSlot) const noexcept {
+    if (frameSlot >= impl_->sets.size()) return {};
+    const auto* c = impl_->buffers.mapped<const gpu::RsCounters>(impl_->readbackOf(frameSlot));
+    return {.rays = c->rays, .rejectedWeights = c->rejectedWeights, .loggedRays = c->loggedRays};
+}
+
+std::span<const BufferInfo> Session::memory() const noexcept { return impl_->report; }
+
+VkBuffer Session::rayLog() const noexcept {
+    return impl_->desc.rayLogCapacity ? impl_->buffer(SessionBuffer::RayLog) : VK_NULL_HANDLE;
+}
+
+Scope Session::inputScope() noexcept {
+    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
+                                                        VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR |
+                                                        VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+}
+
+Scope Session::outputScope() noexcept {
+    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+}
+
+}   // namespace restir

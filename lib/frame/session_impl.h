@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <device/buffers.h>
+#include <frame/context_impl.h>
+#include <frame/plan.h>
+#include <restir/session.h>
+#include <restir/shared/frame.h>
+
+namespace restir {
+
+// Buffers of a Session, in this order; those of the frame slots follow.
+enum class SessionBuffer : size_t {
+    Surfaces0,
+    Surfaces1,
+    More0,
+    More1,
+    SurfacesFrame,
+    Reservoirs0,
+    Reservoirs1,
+    Counters,
+    RayLog,   // always there, so that the binding is: one ray where no log was asked for
+    FirstSlot,
+};
+
+// What the last recorded frame left behind.
+struct History {
+    bool valid = false;
+    uint32_t surfaces = 0;      // which of the two surface buffers holds it
+    uint32_t reservoirs = 0;    // which of the two reservoir buffers
+    VkExtent2D extent = {0, 0};
+    gpu::RsView view{};
+    const void* lights = nullptr;   // the table it was drawn from, and that table's generation
+    uint64_t lightGeneration = 0;
+};
+
+struct Session::Impl {
+    const Context::Impl* context = nullptr;
+    SessionDesc desc;
+    std::vector<BufferInfo> report;
+    Buffers buffers;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    std::vector<VkDescriptorSet> sets;   // by frame slot
+    VkQueryPool queries = VK_NULL_HANDLE;
+    std::vector<std::vector<const char*>> timedPasses;   // by frame slot
+    std::vector<PassTiming> timings;
+    History history;
+    Plan plan;
+
+    const Device& device() const noexcept { return context->device; }
+    VkBuffer buffer(SessionBuffer b, uint32_t i = 0) const noexcept { return buffers.buffer(size_t(b) + i); }
+    size_t constantsOf(uint32_t slot) const noexcept { return size_t(SessionBuffer::FirstSlot) + 2 * size_t(slot); }
+    size_t readbackOf(uint32_t slot) const noexcept { return constantsOf(slot) + 1; }
+    ~Impl();
+};
+
+inline constexpr uint32_t kMaxSpatialPasses = 8;
+inline constexpr uint32_t kMaxTimedPasses = 4 + kMaxSpatialPasses;
+
+std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
+
+}   // namespace restir

@@ -1,0 +1,56 @@
+#include "builtin.h"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+namespace samples {
+
+namespace {
+
+constexpr uint64_t kMaxStreetTriangles = 200'000'000;
+
+[[noreturn]] void fail(std::string_view name, const std::string& what) {
+    throw std::runtime_error("builtin:" + std::string{name} + ": " + what);
+}
+
+uint64_t parseCount(std::string_view name, std::string_view key, std::string_view text) {
+    uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end) fail(name, std::string{key} + " must be a whole number");
+    if (value > kMaxStreetTriangles)
+        fail(name, std::string{key} + " must be at most " + std::to_string(kMaxStreetTriangles));
+    return value;
+}
+
+build::StreetSize parseStreet(std::string_view name, std::string_view query) {
+    build::StreetSize size;
+    while (!query.empty()) {
+        const std::string_view pair = query.substr(0, query.find('&'));
+        query.remove_prefix(std::min(query.size(), pair.size() + 1));
+        const size_t equals = pair.find('=');
+        const std::string_view key = pair.substr(0, equals);
+        const std::string_view value = equals == std::string_view::npos ? "" : pair.substr(equals + 1);
+        if (key == "triangles") size.triangles = parseCount(name, key, value);
+        else if (key == "emissive") size.emissive = parseCount(name, key, value);
+        else fail(name, "unknown key '" + std::string{key} + "', known: triangles, emissive");
+    }
+    if (size.triangles == 0) fail(name, "triangles must be at least 1");
+    if (size.emissive > size.triangles) fail(name, "more emissive triangles than triangles");
+    return size;
+}
+
+}   // namespace
+
+SceneData makeBuiltin(std::string_view name) {
+    const size_t mark = name.find('?');
+    const std::string_view kind = name.substr(0, mark);
+    const std::string_view query = mark == std::string_view::npos ? "" : name.substr(mark + 1);
+    if (kind == "street") return build::makeStreet(parseStreet(name, query));
+    if (kind != "cornell" && kind != "market") fail(name, "unknown, known: cornell, market, street");
+    if (!query.empty()) fail(name, "takes no parameters, got '" + std::string{query} + "'");
+    return kind == "cornell" ? build::makeCornell() : build::makeMarket();
+}
+
+}   // namespace samples

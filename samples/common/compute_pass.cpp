@@ -1,0 +1,104 @@
+#include "common/compute_pass.h"
+
+namespace samples {
+namespace {
+
+constexpr uint32_t kGroupSize = 8;
+
+}   // namespace
+
+ComputePass::ComputePass(const Device& device, const GpuScene& scene, std::span<const uint32_t> spirv,
+                         std::span<const VkImageView> images, uint32_t constantsSize)
+    : device_(device), scene_(scene) {
+    try {
+        makeSet(images);
+        makePipeline(spirv, constantsSize);
+    } catch (...) {
+        release();
+        throw;
+    }
+}
+
+ComputePass::~ComputePass() { release(); }
+
+void ComputePass::release() {
+    vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
+    vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
+    vkDestroyDescriptorPool(device_.handle(), pool_, nullptr);
+    vkDestroyDescriptorSetLayout(device_.handle(), setLayout_, nullptr);
+}
+
+void ComputePass::makeSet(std::span<const VkImageView> images) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    std::vector<VkDescriptorImageInfo> infos;
+    for (VkImageView view : images) {
+        bindings.push_back({.binding = static_cast<uint32_t>(bindings.size()),
+                            .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                            .descriptorCount = 1,
+                            .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT});
+        infos.push_back({.imageView = view, .imageLayout = VK_IMAGE_LAYOUT_GENERAL});
+    }
+    const auto count = static_cast<uint32_t>(images.size());
+    const VkDescriptorSetLayoutCreateInfo layoutInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                     .bindingCount = count,
+                                                     .pBindings = bindings.data()};
+    check(vkCreateDescriptorSetLayout(device_.handle(), &layoutInfo, nullptr, &setLayout_),
+          "vkCreateDescriptorSetLayout");
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count};
+    const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                              .maxSets = 1,
+                                              .poolSizeCount = 1,
+                                              .pPoolSizes = &size};
+    check(vkCreateDescriptorPool(device_.handle(), &poolInfo, nullptr, &pool_), "vkCreateDescriptorPool");
+    const VkDescriptorSetAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                                 .descriptorPool = pool_,
+                                                 .descriptorSetCount = 1,
+                                                 .pSetLayouts = &setLayout_};
+    check(vkAllocateDescriptorSets(device_.handle(), &allocation, &set_), "vkAllocateDescriptorSets");
+    std::vector<VkWriteDescriptorSet> writes;
+    for (uint32_t i = 0; i < count; ++i) {
+        writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                          .dstSet = set_,
+                          .dstBinding = i,
+                          .descriptorCount = 1,
+                          .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                          .pImageInfo = &infos[i]});
+    }
+    vkUpdateDescriptorSets(device_.handle(), count, writes.data(), 0, nullptr);
+}
+
+void ComputePass::makePipeline(std::span<const uint32_t> spirv, uint32_t constantsSize) {
+    const VkDescriptorSetLayout sets[] = {setLayout_, scene_.setLayout()};
+    const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0, constantsSize};
+    const VkPipelineLayoutCreateInfo layoutInfo{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                                .setLayoutCount = 2,
+                                                .pSetLayouts = sets,
+                                                .pushConstantRangeCount = 1,
+                                                .pPushConstantRanges = &range};
+    check(vkCreatePipelineLayout(device_.handle(), &layoutInfo, nullptr, &layout_), "vkCreatePipelineLayout");
+    const VkShaderModuleCreateInfo moduleInfo{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                              .codeSize = spirv.size_bytes(),
+                                              .pCode = spirv.data()};
+    VkShaderModule module = VK_NULL_HANDLE;
+    check(vkCreateShaderModule(device_.handle(), &moduleInfo, nullptr, &module), "vkCreateShaderModule");
+    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                           .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                                     .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                                                     .module = module,
+                                                     .pName = "main"},
+                                           .layout = layout_};
+    const VkResult result = vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
+    vkDestroyShaderModule(device_.handle(), module, nullptr);
+    check(result, "vkCreateComputePipelines");
+}
+
+void ComputePass::dispatch(VkCommandBuffer cmd, VkExtent2D extent, std::span<const std::byte> constants) const {
+    const VkDescriptorSet sets[] = {set_, scene_.set()};
+    vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+    vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 2, sets, 0, nullptr);
+    vkCmdPushConstants(cmd, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, static_cast<uint32_t>(constants.size()),
+                       constants.data());
+    vkCmdDispatch(cmd, (extent.width + kGroupSize - 1) / kGroupSize, (extent.height + kGroupSize - 1) / kGroupSize, 1);
+}
+
+}   // namespace samples

@@ -1,0 +1,117 @@
+// Everything a small host needs around the SDK: an instance, a device with ray query, one queue.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <vulkan/vulkan.h>
+
+#include <restir/device.h>
+
+namespace samples {
+
+// Throws std::runtime_error naming `what` and the result unless `result` is VK_SUCCESS.
+void check(VkResult result, const char* what);
+
+struct DeviceDesc {
+    bool validate = false;   // core and synchronization validation; messages are printed and counted
+};
+
+// Functions of extensions, which the loader does not export.
+struct RayFunctions {
+    PFN_vkCreateAccelerationStructureKHR createAccelerationStructure = nullptr;
+    PFN_vkDestroyAccelerationStructureKHR destroyAccelerationStructure = nullptr;
+    PFN_vkGetAccelerationStructureBuildSizesKHR buildSizes = nullptr;
+    PFN_vkGetAccelerationStructureDeviceAddressKHR deviceAddress = nullptr;
+    PFN_vkCmdBuildAccelerationStructuresKHR cmdBuild = nullptr;
+};
+
+// Not movable: the SDK's message sink points here. Makers throw std::runtime_error.
+class Device {
+public:
+    explicit Device(const DeviceDesc& desc = {});
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    VkInstance instance() const { return instance_; }
+    VkPhysicalDevice physical() const { return physical_; }
+    VkDevice handle() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    uint32_t queueFamily() const { return queueFamily_; }
+    const RayFunctions& rays() const { return rays_; }
+    const VkPhysicalDeviceProperties& properties() const { return properties_; }
+    const std::string& driver() const { return driver_; }
+    uint32_t scratchAlignment() const { return scratchAlignment_; }   // of acceleration structure builds
+    bool hasTimestamps() const { return timestampBits_ != 0; }
+
+    // What the SDK is given. Its warnings go to stderr, its last error to sdkError().
+    restir::DeviceInfo sdkInfo();
+    const std::string& sdkError() const { return sdkError_; }
+    // Throws what the SDK said unless `status` is Ok.
+    void check(restir::Status status, const char* what) const;
+    // The value, or throws what the SDK said.
+    template <class T>
+    T require(restir::Result<T> result, const char* what) const {
+        if (!result) fail(result.error(), what);
+        return std::move(*result);
+    }
+
+    uint32_t validationMessages() const { return validationMessages_; }   // warnings and errors so far
+
+    // Records a command buffer, submits it and waits for the GPU to finish.
+    void submitAndWait(const std::function<void(VkCommandBuffer)>& record) const;
+    void waitIdle() const { vkDeviceWaitIdle(device_); }
+
+private:
+    void makeInstance(bool validate);
+    void pickPhysical();
+    void makeDevice();
+    void loadRayFunctions();
+    void release();
+    [[noreturn]] void fail(const restir::Error& error, const char* what) const;
+    static VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                                 VkDebugUtilsMessageTypeFlagsEXT types,
+                                                 const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
+
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    VkCommandPool pool_ = VK_NULL_HANDLE;
+    uint32_t queueFamily_ = 0;
+    uint32_t timestampBits_ = 0;
+    uint32_t scratchAlignment_ = 1;
+    VkPhysicalDeviceProperties properties_{};
+    std::string driver_;
+    RayFunctions rays_;
+    std::string sdkError_;
+    std::atomic<uint32_t> validationMessages_ = 0;
+};
+
+// Command buffers for frames in flight: begin() waits until the GPU is done with the slot's last use.
+class FrameSlots {
+public:
+    static constexpr uint32_t kCount = 2;
+
+    explicit FrameSlots(const Device& device);
+    ~FrameSlots();
+    FrameSlots(const FrameSlots&) = delete;
+    FrameSlots& operator=(const FrameSlots&) = delete;
+
+    void wait(uint32_t slot) const;
+    VkCommandBuffer begin(uint32_t slot);
+    void submit(uint32_t slot);
+
+private:
+    const Device& device_;
+    VkCommandPool pool_ = VK_NULL_HANDLE;
+    VkCommandBuffer commands_[kCount] = {};
+    VkFence fences_[kCount] = {};
+};
+
+}   // namespace samples

@@ -1,0 +1,34 @@
+// A host's G-buffer, made by primary rays.
+#pragma once
+
+#include <array>
+
+#include <restir/frame.h>
+
+#include "common/camera.h"
+#include "common/compute_pass.h"
+
+namespace samples {
+
+class GBufferPass {
+public:
+    GBufferPass(const Device& device, const GpuScene& scene, VkExtent2D extent);
+
+    // Records the dispatch and its barriers: `readers` are whoever reads the images, before and after.
+    void record(VkCommandBuffer cmd, const CameraPose& pose, const CameraPose& previous, glm::vec2 jitter,
+                const restir::Scope& readers) const;
+
+    // As the SDK takes it.
+    restir::GBuffer describe() const;
+
+private:
+    enum Name : uint8_t { Depth, Normal, GeometricNormal, BaseColor, Material, Motion, Emission, Count };
+
+    std::array<VkImageView, Count> views() const;
+
+    VkExtent2D extent_;
+    std::array<GpuImage, Count> images_;
+    ComputePass pass_;
+};
+
+}   // namespace samples

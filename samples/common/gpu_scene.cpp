@@ -1,0 +1,220 @@
+#include "common/gpu_scene.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "common/prepare_scene.h"
+#include "common/sort_triangles.h"
+
+namespace samples {
+namespace {
+
+using restir::gpu::RsInstance;
+
+constexpr uint32_t kMostRecords = 1u << 24;   // instanceCustomIndex has 24 bits
+constexpr uint32_t kWrapModes = 3;
+constexpr VkSamplerAddressMode kAddressModes[kWrapModes] = {
+    VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
+
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+// Rows of the upper three, as RsInstance and VkTransformMatrixKHR have them.
+template <class Row>
+void copyRows(Row (&rows)[3], const glm::mat4& matrix) {
+    const glm::mat4 transposed = glm::transpose(matrix);
+    static_assert(sizeof rows == 12 * sizeof(float));
+    std::memcpy(&rows, &transposed, sizeof rows);
+}
+
+glm::vec4 boxCentre(const Mesh& mesh) {
+    glm::vec3 low(1e30f), high(-1e30f);
+    for (const Geometry& geometry : mesh.geometries) {
+        for (const glm::vec3& p : geometry.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    }
+    return {0.5f * (low + high), 1.0f};
+}
+
+// Lavapipe halves the list of instances unsorted, like triangles.
+std::vector<VkAccelerationStructureInstanceKHR> sorted(const std::vector<VkAccelerationStructureInstanceKHR>& entries,
+                                                       const SceneData& scene) {
+    std::vector<glm::vec4> centres;
+    for (const Mesh& mesh : scene.meshes) centres.push_back(boxCentre(mesh));
+    std::vector<glm::vec3> centroids;
+    for (const Instance& instance : scene.instances) {
+        centroids.emplace_back(instance.worldFromObject * centres[instance.mesh]);
+    }
+    std::vector<VkAccelerationStructureInstanceKHR> result;
+    for (uint32_t i : spatialOrder(centroids)) result.push_back(entries[i]);
+    return result;
+}
+
+void checkLimits(const SceneData& scene) {
+    uint64_t records = 0;
+    for (const Instance& instance : scene.instances) records += scene.meshes[instance.mesh].geometries.size();
+    if (records == 0) throw std::runtime_error("the scene has no triangles");
+    if (records > kMostRecords) {
+        throw std::runtime_error("the scene has " + std::to_string(records) +
+                                 " instanced geometries; 2^24 is the most instanceCustomIndex can name");
+    }
+}
+
+}   // namespace
+
+GpuScene::GpuScene(const Device& device, SceneData scene) : device_(device) {
+    prepareScene(scene);
+    checkLimits(scene);
+    SceneLights lights = makeSceneLights(scene);
+    emissiveTriangleCount_ = lights.emissiveTriangles;
+    maxLights_ = lights.idCount;
+    try {
+        Uploader uploader(device);
+        uploadGeometry(uploader, scene);
+        uploadTextures(uploader, scene);
+        uploadInstances(uploader, scene, lights);
+        materials_ = makeStorage(uploader, scene.materials);
+        referenceLights_ = makeStorage(uploader, lights.reference);
+        uploader.flush();
+        buildAcceleration(scene);
+        makeSet();
+    } catch (...) {
+        release();
+        throw;
+    }
+    lights_ = std::move(lights.lights);
+}
+
+GpuScene::~GpuScene() { release(); }
+
+void GpuScene::release() {
+    for (VkSampler made : samplers_) vkDestroySampler(device_.handle(), made, nullptr);
+    vkDestroyDescriptorPool(device_.handle(), pool_, nullptr);
+    vkDestroyDescriptorSetLayout(device_.handle(), setLayout_, nullptr);
+}
+
+template <class T>
+Buffer GpuScene::makeStorage(Uploader& uploader, const std::vector<T>& values) const {
+    Buffer buffer(device_, {.size = values.size() * sizeof(T),
+                            .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    uploader.buffer(buffer, 0, bytesOf(values));
+    return buffer;
+}
+
+// All vertex data in one buffer, reached by address only.
+void GpuScene::uploadGeometry(Uploader& uploader, const SceneData& scene) {
+    VkDeviceSize size = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Geometry& geometry : mesh.geometries) {
+            size += bytesOf(geometry.positions).size() + bytesOf(geometry.indices).size() +
+                    bytesOf(geometry.normals).size() + bytesOf(geometry.uvs).size();
+        }
+    }
+    geometry_ = Buffer(device_, {.size = size,
+                                 .usage = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                          VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR});
+    VkDeviceSize offset = 0;
+    const auto append = [&](std::span<const std::byte> bytes) {
+        const VkDeviceAddress address = bytes.empty() ? 0 : geometry_.address() + offset;
+        uploader.buffer(geometry_, offset, bytes);
+        offset += bytes.size();
+        return address;
+    };
+    for (const Mesh& mesh : scene.meshes) {
+        auto& addresses = addresses_.emplace_back();
+        for (const Geometry& geometry : mesh.geometries) {
+            addresses.push_back({.positions = append(bytesOf(geometry.positions)),
+                                 .indices = append(bytesOf(geometry.indices)),
+                                 .normals = append(bytesOf(geometry.normals)),
+                                 .uvs = append(bytesOf(geometry.uvs))});
+        }
+    }
+}
+
+VkSampler GpuScene::sampler(const Texture& texture) {
+    const auto u = static_cast<size_t>(texture.wrapU), v = static_cast<size_t>(texture.wrapV);
+    VkSampler& made = samplers_[(u * kWrapModes + v) * 2 + (texture.nearest ? 1 : 0)];
+    if (made != VK_NULL_HANDLE) return made;
+    const VkFilter filter = texture.nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
+    const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                   .magFilter = filter,
+                                   .minFilter = filter,
+                                   .addressModeU = kAddressModes[u],
+                                   .addressModeV = kAddressModes[v],
+                                   .addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT};
+    check(vkCreateSampler(device_.handle(), &info, nullptr, &made), "vkCreateSampler");
+    return made;
+}
+
+void GpuScene::uploadTextures(Uploader& uploader, const SceneData& scene) {
+    for (const Image& image : scene.images) {
+        const VkFormat format = image.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+        images_.emplace_back(device_, VkExtent2D{image.width, image.height}, format,
+                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+        uploader.image(images_.back(), image.rgba);
+    }
+    samplers_.resize(size_t{kWrapModes} * kWrapModes * 2);
+    for (const Texture& texture : scene.textures) {
+        textureInfos_.push_back({.sampler = sampler(texture),
+                                 .imageView = images_[texture.image].view(),
+                                 .imageLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    }
+}
+
+void GpuScene::uploadInstances(Uploader& uploader, const SceneData& scene, const SceneLights& lights) {
+    std::vector<RsInstance> records;
+    for (const Instance& instance : scene.instances) {
+        const auto& geometries = scene.meshes[instance.mesh].geometries;
+        for (size_t i = 0; i < geometries.size(); ++i) {
+            const GeometryAddresses& addresses = addresses_[instance.mesh][i];
+            RsInstance record{.positions = addresses.positions,
+                              .indices = addresses.indices,
+                              .normals = addresses.normals,
+                              .uvs = addresses.uvs,
+                              .worldFromObject = {},
+                              .material = geometries[i].material,
+                              .firstLight = lights.firstLight[records.size()]};
+            copyRows(record.worldFromObject, instance.worldFromObject);
+            records.push_back(record);
+            triangleCount_ += geometries[i].indices.size() / 3;
+        }
+    }
+    instances_ = makeStorage(uploader, records);
+}
+
+void GpuScene::buildAcceleration(const SceneData& scene) {
+    std::vector<std::vector<TriangleRange>> meshes;
+    for (size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        auto& ranges = meshes.emplace_back();
+        for (size_t i = 0; i < scene.meshes[mesh].geometries.size(); ++i) {
+            const Geometry& geometry = scene.meshes[mesh].geometries[i];
+            const uint32_t flags = scene.materials[geometry.material].flags;
+            ranges.push_back({.positions = addresses_[mesh][i].positions,
+                              .indices = addresses_[mesh][i].indices,
+                              .vertexCount = static_cast<uint32_t>(geometry.positions.size()),
+                              .triangleCount = static_cast<uint32_t>(geometry.indices.size() / 3),
+                              .opaque = (flags & RS_MATERIAL_ALPHA_MASK) == 0});
+        }
+    }
+    std::vector<VkAccelerationStructureInstanceKHR> instances;
+    uint32_t record = 0;
+    for (const Instance& instance : scene.instances) {
+        VkAccelerationStructureInstanceKHR entry{};
+        copyRows(entry.transform.matrix, instance.worldFromObject);
+        entry.instanceCustomIndex = record & 0xffffffu;
+        entry.mask = 0xff;
+        entry.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
+        entry.accelerationStructureReference = instance.mesh;
+        instances.push_back(entry);
+        record += static_cast<uint32_t>(scene.meshes[instance.mesh].geometries.size());
+    }
+    acceleration_ = Acceleration(device_, meshes, sorted(instances, scene));
+}
+
+}   // namespace samples

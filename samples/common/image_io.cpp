@@ -1,0 +1,175 @@
+#include "image_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <glm/glm.hpp>
+#include <stb/stb_image_write.h>
+
+namespace samples {
+
+namespace {
+
+constexpr size_t kChannels = 3;
+constexpr size_t kMaxPixels = size_t{1} << 28;
+constexpr const char* kChannelNames[kChannels] = {"R", "G", "B"};
+
+void checkShape(const std::string& path, const FloatImage& image) {
+    const size_t pixels = size_t{image.width} * image.height;
+    if (pixels == 0 || pixels > kMaxPixels || image.rgb.size() != pixels * kChannels)
+        throw std::runtime_error(path + ": cannot be written, the image has no pixels or the wrong size");
+}
+
+// Calls write(temporary path), then renames; no temporary file survives a failure.
+void writeThenRename(const std::string& path, const std::function<void(const std::string&)>& write) {
+    const std::string partial = path + ".partial";
+    try {
+        write(partial);
+        std::filesystem::rename(partial, path);
+    } catch (const std::exception& exception) {
+        std::error_code ignored;
+        std::filesystem::remove(partial, ignored);
+        throw std::runtime_error(path + ": cannot be written: " + exception.what());
+    }
+}
+
+// One slice per channel, all into (or from) interleaved pixels whose first one is (origin.x, origin.y).
+Imf::FrameBuffer interleaved(float* pixels, size_t width, Imath::V2i origin, bool gray) {
+    Imf::FrameBuffer buffer;
+    constexpr size_t kStride = kChannels * sizeof(float);
+    const auto offset = static_cast<std::ptrdiff_t>(width) * origin.y + origin.x;
+    for (size_t c = 0; c < (gray ? 1 : kChannels); ++c) {
+        char* base = reinterpret_cast<char*>(pixels + c) - offset * static_cast<std::ptrdiff_t>(kStride);
+        buffer.insert(gray ? "Y" : kChannelNames[c], Imf::Slice(Imf::FLOAT, base, kStride, width * kStride));
+    }
+    return buffer;
+}
+
+FloatImage readPixels(Imf::InputFile& file) {
+    const Imath::Box2i window = file.header().dataWindow();
+    const auto width = static_cast<int64_t>(window.max.x) - window.min.x + 1;
+    const auto height = static_cast<int64_t>(window.max.y) - window.min.y + 1;
+    if (width <= 0 || height <= 0 || static_cast<size_t>(width) > kMaxPixels / static_cast<size_t>(height))
+        throw std::runtime_error("bad dataWindow");
+    const Imf::ChannelList& channels = file.header().channels();
+    const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
+    const bool gray = !has("R") && has("Y");
+    if (!gray && !(has("R") && has("G") && has("B"))) throw std::runtime_error("has no channels R, G, B");
+    FloatImage image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
+    image.rgb.resize(static_cast<size_t>(width * height) * kChannels);
+    file.setFrameBuffer(interleaved(image.rgb.data(), image.width, window.min, gray));
+    file.readPixels(window.min.y, window.max.y);
+    for (size_t i = 0; gray && i < image.rgb.size(); i += kChannels)
+        image.rgb[i + 1] = image.rgb[i + 2] = image.rgb[i];
+    return image;
+}
+
+glm::vec3 pixel(const FloatImage& image, size_t index) {
+    const float* rgb = &image.rgb[index * kChannels];
+    const glm::vec3 color{rgb[0], rgb[1], rgb[2]};
+    return std::isfinite(color.x + color.y + color.z) ? glm::max(color, glm::vec3{0}) : glm::vec3{0};
+}
+
+float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
+
+// Brings the log-average luminance to middle gray. Pixels darker than a thousandth of the 90th percentile
+// count as black, or a night sky's last glimmer would set the exposure.
+float autoExposure(const FloatImage& image) {
+    constexpr float kMiddleGray = 0.18f, kBlack = 1e-3f;
+    std::vector<float> lit;
+    for (size_t i = 0; i < size_t{image.width} * image.height; ++i)
+        if (const float value = luminance(pixel(image, i)); value > 0) lit.push_back(value);
+    if (lit.empty()) return 1;
+    const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 9 / 10);
+    std::nth_element(lit.begin(), bright, lit.end());
+    const float black = *bright * kBlack;
+    std::erase_if(lit, [&](float value) { return value < black; });
+    double sum = 0;
+    for (const float value : lit) sum += std::log(value);
+    return kMiddleGray / static_cast<float>(std::exp(sum / static_cast<double>(lit.size())));
+}
+
+// Narkowicz's fit of the ACES filmic curve (2015), scaled so that exposed middle gray stays middle gray.
+float filmic(float x) {
+    constexpr float kPreScale = 0.72f;
+    const float v = x * kPreScale;
+    return std::min(v * (2.51f * v + 0.03f) / (v * (2.43f * v + 0.59f) + 0.14f), 1.0f);
+}
+
+// The curve acts on the largest channel, which keeps hues; past white, colours fade slowly towards white, so
+// that lamps look bright and still coloured.
+glm::vec3 toneMap(const glm::vec3& color) {
+    const float peak = std::max({color.x, color.y, color.z});
+    if (peak <= 0) return glm::vec3{0};
+    constexpr float kFadeStart = 1.0f, kFadeRate = 0.045f, kLargestFade = 0.8f;
+    const float fade = 1 - 1 / (1 + kFadeRate * std::max(peak - kFadeStart, 0.0f));
+    const glm::vec3 mapped = color * (filmic(peak) / peak);
+    return glm::mix(mapped, glm::vec3{filmic(peak)}, std::min(fade, kLargestFade));
+}
+
+uint8_t srgbByte(float linear) {
+    const float v = std::clamp(linear, 0.0f, 1.0f);
+    const float encoded = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+    return static_cast<uint8_t>(std::lround(encoded * 255));
+}
+
+std::vector<uint8_t> displayBytes(const FloatImage& image, float exposure) {
+    std::vector<uint8_t> bytes;
+    bytes.reserve(image.rgb.size());
+    for (size_t i = 0; i < size_t{image.width} * image.height; ++i) {
+        const glm::vec3 color = toneMap(pixel(image, i) * exposure);
+        bytes.insert(bytes.end(), {srgbByte(color.x), srgbByte(color.y), srgbByte(color.z)});
+    }
+    return bytes;
+}
+
+}   // namespace
+
+void writeExr(const std::string& path, const FloatImage& image) {
+    checkShape(path, image);
+    writeThenRename(path, [&](const std::string& partial) {
+        Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
+        for (const char* name : kChannelNames) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        Imf::OutputFile file(partial.c_str(), header);
+        // OpenEXR has one slice type for reading and writing; here it only reads.
+        file.setFrameBuffer(interleaved(const_cast<float*>(image.rgb.data()), image.width, {0, 0}, false));
+        file.writePixels(static_cast<int>(image.height));
+    });
+}
+
+FloatImage readExr(const std::string& path) {
+    try {
+        Imf::InputFile file(path.c_str());
+        return readPixels(file);
+    } catch (const std::exception& exception) {
+        throw std::runtime_error(path + ": cannot be read: " + exception.what());
+    }
+}
+
+void writePng(const std::string& path, const FloatImage& image, float exposure) {
+    checkShape(path, image);
+    const std::vector<uint8_t> bytes = displayBytes(image, exposure > 0 ? exposure : autoExposure(image));
+    writeThenRename(path, [&](const std::string& partial) {
+        std::ofstream file(partial, std::ios::binary);
+        const auto append = [](void* stream, void* data, int size) {
+            static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
+        };
+        const bool encoded = stbi_write_png_to_func(append, &file, static_cast<int>(image.width),
+                                                    static_cast<int>(image.height), kChannels, bytes.data(),
+                                                    static_cast<int>(image.width * kChannels)) != 0;
+        file.close();
+        if (!encoded || !file) throw std::runtime_error("no space or no permission");
+    });
+}
+
+}   // namespace samples

@@ -1,0 +1,48 @@
+#include "common/reference.h"
+
+#include <array>
+
+#include "reference.spv.h"
+
+namespace samples {
+namespace {
+
+enum Flags : uint32_t { kNextEvent = 1, kJitter = 2 };
+
+// Constants in reference.glsl.
+struct Constants {
+    CameraPose pose;
+    uint32_t extent[2];
+    uint32_t seed, frame, paths, bounces, lightCount, flags;
+};
+static_assert(sizeof(Constants) == 80);
+
+}   // namespace
+
+Reference::Reference(const Device& device, const GpuScene& scene, VkExtent2D extent)
+    : scene_(scene),
+      loop_(device, extent),
+      pass_(device, scene, k_reference_spv, std::array{loop_.target()}, sizeof(Constants)) {}
+
+FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& settings,
+                             const std::function<void(uint32_t, uint32_t)>& progress) {
+    const uint32_t flags = (settings.nextEvent ? kNextEvent : 0u) | (sequence.accumulate ? kJitter : 0u);
+    FrameCallbacks callbacks;
+    callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) {
+        pass_.record(cmd, loop_.extent(),
+                     Constants{.pose = frame.pose,
+                               .extent = {loop_.extent().width, loop_.extent().height},
+                               .seed = hash(frame.seed),
+                               .frame = frame.index,
+                               .paths = settings.paths,
+                               .bounces = settings.bounces,
+                               .lightCount = static_cast<uint32_t>(scene_.lights().size()),
+                               .flags = flags});
+    };
+    callbacks.finished = [&](const Frame&, double rays) { raysPerFrame_ = rays; };
+    callbacks.progress = progress;
+    callbacks.written = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+    return loop_.run(sequence, callbacks);
+}
+
+}   // namespace samples

@@ -1,0 +1,30 @@
+// The path tracer that everything else is measured against.
+#pragma once
+
+#include "common/compute_pass.h"
+#include "common/frame_loop.h"
+
+namespace samples {
+
+struct ReferenceSettings {
+    uint32_t paths = 1;      // per pixel and frame
+    uint32_t bounces = 1;    // scattering events; 1: emission plus direct light
+    bool nextEvent = true;   // off: BSDF sampling alone, which validates the rest; blind to punctual lights
+};
+
+class Reference {
+public:
+    Reference(const Device& device, const GpuScene& scene, VkExtent2D extent);
+
+    FloatImage render(const Sequence& sequence, const ReferenceSettings& settings,
+                      const std::function<void(uint32_t done, uint32_t all)>& progress = {});
+    double raysPerFrame() const { return raysPerFrame_; }   // of the last frame rendered
+
+private:
+    const GpuScene& scene_;
+    FrameLoop loop_;
+    ComputePass pass_;
+    double raysPerFrame_ = 0;
+};
+
+}   // namespace samples

@@ -1,0 +1,89 @@
+#include "common/renderer.h"
+
+#include <algorithm>
+
+namespace samples {
+namespace {
+
+restir::Context makeContext(Device& device, const GpuScene& scene) {
+    restir::ContextDesc desc;
+    desc.device = device.sdkInfo();
+    desc.framesInFlight = FrameSlots::kCount;
+    desc.queueFamily = device.queueFamily();
+    desc.maxTextures = std::max(static_cast<uint32_t>(scene.textures().size()), 1u);
+    return device.require(restir::Context::create(desc), "restir::Context");
+}
+
+restir::Scene makeScene(const Device& device, const restir::Context& context, const GpuScene& scene) {
+    const restir::SceneDesc desc{
+        .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
+    return device.require(restir::Scene::create(context, desc), "restir::Scene");
+}
+
+}   // namespace
+
+Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent)
+    : device_(device),
+      scene_(scene),
+      loop_(device, extent),
+      gbuffer_(device, scene, extent),
+      context_(makeContext(device, scene)),
+      sdkScene_(makeScene(device, context_, scene)),
+      lights_(device.require(restir::LightTable::create(context_, {.maxLights = scene.maxLights()}),
+                             "restir::LightTable")),
+      session_(device.require(restir::Session::create(context_, {.maxExtent = extent}), "restir::Session")),
+      lightBytes_(restir::LightTable::memoryNeeded(context_, {.maxLights = scene.maxLights()})) {
+    device.check(lights_.upload(0, scene.lights()), "restir::LightTable::upload");
+    device.submitAndWait([&](VkCommandBuffer cmd) {
+        device.check(lights_.record(cmd, 0), "restir::LightTable::record");
+    });
+}
+
+FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& settings,
+                            const std::function<void(uint32_t, uint32_t)>& progress) {
+    stats_ = {};
+    FrameCallbacks callbacks;
+    callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, frame, settings); };
+    callbacks.finished = [&](const Frame& frame, double) { collect(frame); };
+    callbacks.progress = progress;
+    callbacks.written = restir::Session::outputScope();
+    return loop_.run(sequence, callbacks);
+}
+
+void Renderer::record(VkCommandBuffer cmd, const Frame& frame, restir::Settings settings) {
+    gbuffer_.record(cmd, frame.pose, frame.previous, frame.jitter, restir::Session::inputScope());
+    settings.counters = settings.counters || frame.last;
+    restir::FrameInput input;
+    input.frameSlot = frame.slot;
+    input.frameIndex = frame.index;
+    input.seed = frame.seed;
+    input.extent = loop_.extent();
+    input.camera = sdkCamera(frame.pose, frame.jitter);
+    input.gbuffer = gbuffer_.describe();
+    input.tlas = scene_.tlas();
+    input.scene = &sdkScene_;
+    input.lights = &lights_;
+    input.output.radiance = loop_.target();
+    input.resetHistory = frame.index == 0;
+    device_.check(session_.record(cmd, input, settings), "restir::Session::record");
+}
+
+void Renderer::collect(const Frame& frame) {
+    for (const restir::PassTiming& timing : session_.timings(frame.slot)) {
+        const auto same = [&](const PassStats& pass) { return pass.name == timing.name; };
+        auto pass = std::find_if(stats_.passes.begin(), stats_.passes.end(), same);
+        if (pass == stats_.passes.end()) pass = stats_.passes.insert(pass, {timing.name, {}});
+        pass->milliseconds.resize(frame.index + size_t{1});
+        pass->milliseconds[frame.index] += timing.milliseconds;
+    }
+    if (frame.last) stats_.counters = session_.counters(frame.slot);
+}
+
+std::vector<restir::BufferInfo> Renderer::memory() const {
+    const auto perView = session_.memory();
+    std::vector<restir::BufferInfo> result(perView.begin(), perView.end());
+    result.push_back({.name = "light table", .bytes = lightBytes_});
+    return result;
+}
+
+}   // namespace samples

@@ -1,0 +1,56 @@
+// A host of the SDK: G-buffer, lights, session, frames in flight, a picture at the end.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <restir/restir.h>
+
+#include "common/frame_loop.h"
+#include "common/gbuffer.h"
+
+namespace samples {
+
+struct PassStats {
+    std::string name;
+    std::vector<double> milliseconds;   // GPU time in each frame; passes of one name are added up
+};
+
+struct RenderStats {
+    std::vector<PassStats> passes;
+    // Of the last frame, the only one that counts them: counting costs atomics.
+    restir::Counters counters;
+};
+
+// Renders any number of sequences with any settings; only the constructor makes pipelines.
+class Renderer {
+public:
+    Renderer(Device& device, const GpuScene& scene, VkExtent2D extent);
+
+    // Forgets all history first.
+    FloatImage render(const Sequence& sequence, const restir::Settings& settings,
+                      const std::function<void(uint32_t done, uint32_t all)>& progress = {});
+
+    const RenderStats& stats() const { return stats_; }   // of the last render()
+    // What the SDK holds for this view, and for the scene's lights as the last entry.
+    std::vector<restir::BufferInfo> memory() const;
+    restir::Session& session() { return session_; }
+
+private:
+    void record(VkCommandBuffer cmd, const Frame& frame, restir::Settings settings);
+    void collect(const Frame& frame);
+
+    Device& device_;
+    const GpuScene& scene_;
+    FrameLoop loop_;
+    GBufferPass gbuffer_;
+    restir::Context context_;
+    restir::Scene sdkScene_;
+    restir::LightTable lights_;
+    restir::Session session_;
+    VkDeviceSize lightBytes_ = 0;
+    RenderStats stats_;
+};
+
+}   // namespace samples

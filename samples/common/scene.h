@@ -1,0 +1,94 @@
+// A scene on the CPU: what the importers and generators make and GpuScene uploads.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <restir/shared/scene.h>
+
+namespace samples {
+
+// 8-bit RGBA, row 0 on top. `srgb` says how its colour channels are encoded.
+struct Image {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgba = {};
+    bool srgb = false;
+};
+
+enum class Wrap : uint8_t { Repeat, Mirror, Clamp };
+
+struct Texture {
+    uint32_t image = 0;
+    Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
+    bool nearest = false;
+};
+
+// One glTF primitive: indexed triangles of one material. `normals` and `uvs` may be empty.
+struct Geometry {
+    std::vector<glm::vec3> positions = {};
+    std::vector<glm::vec3> normals = {};
+    std::vector<glm::vec2> uvs = {};
+    std::vector<uint32_t> indices = {};   // three per triangle, no zero-index checks left to do
+    uint32_t material = 0;
+};
+
+struct Mesh {
+    std::vector<Geometry> geometries;
+};
+
+struct Instance {
+    uint32_t mesh = 0;
+    glm::mat4 worldFromObject{1.0f};
+};
+
+enum class PunctualKind : uint8_t { Point, Spot, Directional };
+
+struct PunctualLight {
+    PunctualKind kind = PunctualKind::Point;
+    glm::vec3 position{0}, direction{0, 0, -1};   // world space; direction of travel, unit
+    glm::vec3 intensity{1};                        // point, spot: candela-like W/sr; directional: W/m^2
+    float range = 0;                               // metres; 0: infinite
+    float innerCone = 0, outerCone = 0.785398163f;   // radians from the axis
+};
+
+// Looks from `eye` to `target`. verticalFov in radians.
+struct View {
+    glm::vec3 eye{0, 0, 4}, target{0}, up{0, 1, 0};
+    float verticalFov = 0.8f;
+    std::string name = {};
+};
+
+struct SceneData {
+    std::string name = {};
+    std::vector<Image> images = {};
+    std::vector<Texture> textures = {};   // RsMaterial's texture indices point here
+    std::vector<restir::gpu::RsMaterial> materials = {};
+    std::vector<Mesh> meshes = {};
+    std::vector<Instance> instances = {};
+    std::vector<PunctualLight> punctual = {};
+    std::vector<View> views = {};   // the scene's cameras; may be empty
+};
+
+// .gltf or .glb. Throws std::runtime_error naming the file and what is wrong; `warnings` gets one line per
+// extension, primitive kind or feature that was skipped.
+SceneData loadGltf(const std::string& path, std::vector<std::string>& warnings);
+
+// "cornell", "market", "street?triangles=2826672&emissive=20658". Throws std::runtime_error on unknown names.
+SceneData makeBuiltin(std::string_view name);
+
+// A file, or builtin:NAME.
+SceneData loadScene(const std::string& nameOrPath, std::vector<std::string>& warnings);
+
+// A view that frames the whole scene, for scenes without a camera.
+View frameScene(const SceneData& scene);
+
+// Every material diffuse with its base colour (specular, metalness, normal maps and alpha off, emission
+// kept), to compare with other renderers.
+void makeLambert(SceneData& scene);
+
+}   // namespace samples

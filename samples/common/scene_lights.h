@@ -1,0 +1,32 @@
+// The lights of a scene, for the SDK and for the reference.
+#pragma once
+
+#include <vector>
+
+#include <restir/lights.h>
+
+#include "common/scene.h"
+
+namespace samples {
+
+// Kinds in reference_lights.glsl, whose struct this is.
+enum class ReferenceKind : uint32_t { Triangle, Local, Directional };
+struct ReferenceLight {
+    ReferenceKind kind = ReferenceKind::Triangle;
+    uint32_t record = 0, primitive = 0;
+    glm::vec3 position{0}, direction{0, 0, -1}, intensity{0};
+    float range = 0, coneScale = 0, coneOffset = 1;
+};
+
+struct SceneLights {
+    std::vector<restir::Light> lights;        // black and degenerate triangles are left out; their ids stay free
+    std::vector<ReferenceLight> reference;    // the same lights in the same order
+    std::vector<uint32_t> firstLight;         // of each (instance, geometry) record; RS_NO_LIGHT
+    uint32_t idCount = 0;                     // one more than the largest id
+    uint64_t emissiveTriangles = 0;           // triangles of emissive materials
+};
+
+// Records count geometries, instance by instance. Throws std::runtime_error beyond the SDK's limit.
+SceneLights makeSceneLights(const SceneData& scene);
+
+}   // namespace samples

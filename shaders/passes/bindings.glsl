@@ -1,0 +1,95 @@
+// Set 0, and the loads and stores that the library asks its includer for. Every pass starts with this file.
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_ray_query : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_samplerless_texture_functions : require
+#include "restir/shared/frame.h"
+#include "restir/shared/lights.h"
+#include "restir/shared/scene.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(push_constant, scalar) uniform RsPassBlock { RsPass rsPass; };
+layout(set = RS_SET, binding = RS_BIND_FRAME, scalar) uniform RsFrameBlock { RsFrame rsFrame; };
+
+layout(set = RS_SET, binding = RS_BIND_SURFACES, scalar) buffer RsSurfaces { uvec4 rsSurfaces[]; };
+layout(set = RS_SET, binding = RS_BIND_SURFACES_MORE, scalar) buffer RsSurfacesMore { uvec2 rsSurfacesMore[]; };
+layout(set = RS_SET, binding = RS_BIND_SURFACES_FRAME, scalar) buffer RsSurfacesFrame { uvec2 rsSurfacesFrame[]; };
+layout(set = RS_SET, binding = RS_BIND_PREVIOUS_SURFACES, scalar) readonly buffer RsOldSurfaces { uvec4 rsPreviousSurfaces[]; };
+layout(set = RS_SET, binding = RS_BIND_PREVIOUS_MORE, scalar) readonly buffer RsOldMore { uvec2 rsPreviousMore[]; };
+layout(set = RS_SET, binding = RS_BIND_RESERVOIRS, scalar) buffer RsReservoirs { RsReservoir at[]; } rsReservoirs[2];
+layout(set = RS_SET, binding = RS_BIND_LIGHTS, scalar) readonly buffer RsLights { uvec4 rsLights[]; };
+layout(set = RS_SET, binding = RS_BIND_PREVIOUS_LIGHTS, scalar) readonly buffer RsOldLights { uvec4 rsPreviousLights[]; };
+layout(set = RS_SET, binding = RS_BIND_ALIAS, scalar) readonly buffer RsAlias { RsAliasEntry rsAlias[]; };
+layout(set = RS_SET, binding = RS_BIND_TLAS) uniform accelerationStructureEXT rsTlas;
+layout(set = RS_SET, binding = RS_BIND_COUNTERS, scalar) buffer RsCounterBlock { RsCounters rsCounters; };
+layout(set = RS_SET, binding = RS_BIND_RAY_LOG, scalar) buffer RsRayLog { RsLoggedRay rsRayLog[]; };
+
+#include "restir_bridge.glsl"
+#include "restir/di/direct.glsl"
+#include "restir/di/reservoir.glsl"
+
+bool rsInside() { return all(lessThan(gl_GlobalInvocationID.xy, rsFrame.extent)); }
+uint rsIndex(uvec2 pixel) { return pixel.y * rsFrame.extent.x + pixel.x; }
+uint rsPreviousIndex(uvec2 pixel) { return pixel.y * rsFrame.previousExtent.x + pixel.x; }
+
+RsSurface rsLoadSurface(uvec2 pixel) {
+    uint i = rsIndex(pixel);
+    return rsUnpackSurface(RsPackedSurface(rsSurfaces[i], rsSurfacesMore[i]), rsFrame.view, rsFrame.extent, pixel);
+}
+RsSurface rsLoadPreviousSurface(uvec2 pixel) {
+    uint i = rsPreviousIndex(pixel);
+    return rsUnpackSurface(RsPackedSurface(rsPreviousSurfaces[i], rsPreviousMore[i]), rsFrame.previousView,
+                           rsFrame.previousExtent, pixel);
+}
+
+RsReservoir rsLoadSource(uvec2 pixel) { return rsReservoirs[rsPass.source].at[rsIndex(pixel)]; }
+// The source buffer as the previous frame left it.
+RsReservoir rsLoadHistory(uvec2 pixel) {
+    RsReservoir r = rsReservoirs[rsPass.source].at[rsPreviousIndex(pixel)];
+    r.confidence = min(rsConfidence(r), rsFrame.di.maxHistory) | (min(rsAge(r) + 1u, 0xffffu) << 16u);
+    return r;
+}
+
+RsPackedLight rsUnpackLight(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 e) {
+    RsPackedLight light;
+    light.position = uintBitsToFloat(a.xyz);
+    light.kindAndTexture = a.w;
+    light.edge1 = uintBitsToFloat(b.xyz);
+    light.edge2 = uintBitsToFloat(uvec3(b.w, c.xy));
+    light.emission = uintBitsToFloat(uvec3(c.zw, d.x));
+    light.selection = uintBitsToFloat(d.y);
+    light.uv0 = uintBitsToFloat(d.zw);
+    light.uv1 = uintBitsToFloat(e.xy);
+    light.uv2 = uintBitsToFloat(e.zw);
+    return light;
+}
+RsPackedLight rsLoadLight(uint id) {
+    if (id >= rsFrame.lightCount) id = rsFrame.lightCount;   // the slot past the last is RS_LIGHT_NONE
+    uint i = id * RS_LIGHT_STRIDE;
+    return rsUnpackLight(rsLights[i], rsLights[i + 1u], rsLights[i + 2u], rsLights[i + 3u], rsLights[i + 4u]);
+}
+RsPackedLight rsLoadPreviousLight(uint id) {
+    if (id >= rsFrame.previousLightCount) id = rsFrame.previousLightCount;
+    uint i = id * RS_LIGHT_STRIDE;
+    return rsUnpackLight(rsPreviousLights[i], rsPreviousLights[i + 1u], rsPreviousLights[i + 2u],
+                         rsPreviousLights[i + 3u], rsPreviousLights[i + 4u]);
+}
+RsAliasEntry rsLoadAlias(uint column) { return rsAlias[column]; }
+
+void rsOnRay(vec3 origin, vec3 direction, float tmax, bool closest) {
+    if ((rsFrame.flags & RS_FRAME_COUNT) == 0u) return;
+    atomicAdd(rsCounters.rays, 1u);
+    if (rsFrame.rayLogCapacity == 0u) return;
+    uint slot = atomicAdd(rsCounters.loggedRays, 1u);
+    if (slot < rsFrame.rayLogCapacity)
+        rsRayLog[slot] = RsLoggedRay(vec4(origin, tmax), vec4(direction, closest ? 1.0 : 0.0));
+}
+void rsOnRejectedWeight() {
+    if ((rsFrame.flags & RS_FRAME_COUNT) != 0u) atomicAdd(rsCounters.rejectedWeights, 1u);
+}
+
+#ifdef RS_PASS_RAYS
+#include "restir/rays/query.glsl"
+#endif

@@ -1,0 +1,20 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define RS_PASS_RAYS
+#include "passes/bindings.glsl"
+#include "passes/output.glsl"
+#include "restir/di/shade.glsl"
+
+void main() {
+    if (!rsInside()) return;
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uint i = rsIndex(pixel);
+    RsSurface s = rsLoadSurface(pixel);
+    RsReservoir r = rsReservoirs[rsPass.target].at[i];
+    bool occluded = false;
+    vec3 direct = vec3(0.0);
+    if (s.valid) direct = rsDiShade(s, r, rsFrame.di.visibility, occluded);
+    if (occluded && rsFrame.di.visibility == RS_VISIBILITY_CACHED)
+        rsReservoirs[rsPass.target].at[i] = rsEmptyReservoir(rsConfidence(r));
+    rsWriteRadiance(pixel, direct);
+}

@@ -1,0 +1,15 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define RS_PASS_RAYS
+#include "passes/bindings.glsl"
+#include "restir/di/spatial.glsl"
+
+void main() {
+    if (!rsInside()) return;
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    RsSurface s = rsLoadSurface(pixel);
+    RsReservoir canonical = rsLoadSource(pixel);
+    RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index);
+    rsReservoirs[rsPass.target].at[rsIndex(pixel)] =
+        s.valid ? rsDiSpatial(s, canonical, pixel, rsFrame.extent, rsFrame.di, random) : canonical;
+}

@@ -1,0 +1,31 @@
+// The standard bridge: what the SDK asks of a host, answered for the standard G-buffer, glTF-like materials and the
+// scene set. A host's restir_bridge.glsl defines the guard and the function of what it replaces, then includes this
+// file for the rest. With RS_BRIDGE_SCENE it brings its own set 1 and must replace all that reads it: BRIDGE_LIGHT,
+// BRIDGE_TEXTURE, BRIDGE_OPAQUE.
+#ifndef RESTIR_BRIDGE_STANDARD_GLSL
+#define RESTIR_BRIDGE_STANDARD_GLSL
+#include "restir/core/surface.glsl"
+#include "restir/rays/hit.glsl"
+#include "restir/shared/frame.h"
+#include "restir/shared/scene.h"
+
+#ifndef RS_BRIDGE_BSDF
+#include "restir/bsdf/metallic_roughness.glsl"
+// BSDF times cosine towards the unit direction `light`, 1/sr.
+vec3 rsBridgeBsdf(RsSurface s, vec3 light) { return rsBsdf(s, light); }
+// A direction from three uniform numbers, and its density per solid angle.
+vec3 rsBridgeSampleBsdf(RsSurface s, vec3 u) { return rsSampleBsdf(s, u); }
+float rsBridgeBsdfPdf(RsSurface s, vec3 light) { return rsPdfBsdf(s, light); }
+#endif
+
+#ifndef RS_BRIDGE_SCENE
+#include "restir/bridge/scene.glsl"
+#endif
+
+#ifdef RS_PASS_SURFACE
+#ifndef RS_BRIDGE_SURFACE
+#include "restir/bridge/gbuffer.glsl"
+#endif
+#endif
+
+#endif

@@ -1,0 +1,17 @@
+// Plain next-event estimation: lights drawn by power, a shadow ray each, no reuse. The baseline.
+#ifndef RESTIR_DI_NEXT_EVENT_GLSL
+#define RESTIR_DI_NEXT_EVENT_GLSL
+#include "restir/di/direct.glsl"
+
+vec3 rsDiNextEvent(RsSurface s, uint lightCount, uint samples, inout RsRandom random) {
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; lightCount > 0u && i < samples; ++i) {
+        RsPackedLight light = rsLoadLight(rsSampleLight(lightCount, random));
+        RsDirect direct = rsDirect(s, light, rsSampleLightUv(light, rsNextBits(random)));
+        if (direct.target > 0.0 && light.selection > 0.0 && rsUnoccluded(s, direct.incident))
+            sum += direct.integrand / light.selection;
+    }
+    return sum / float(samples);
+}
+
+#endif

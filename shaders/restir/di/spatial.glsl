@@ -1,0 +1,42 @@
+// Spatial reuse: neighbours of this frame on a spiral around the pixel, turned and scaled by its random numbers, read
+// from a snapshot.
+#ifndef RESTIR_DI_SPATIAL_GLSL
+#define RESTIR_DI_SPATIAL_GLSL
+#include "restir/di/combine.glsl"
+#include "restir/di/similar.glsl"
+
+RsSurface rsLoadSurface(uvec2 pixel);
+RsReservoir rsLoadSource(uvec2 pixel);
+
+#define RS_GOLDEN_TURN 0.61803399
+
+ivec2 rsNeighbourPixel(RsNeighbourhood where, uint i) {
+    float r = where.radius * sqrt((float(i) + where.rotation.x) / float(where.count));
+    float phi = 2.0 * RS_PI * (where.rotation.y + float(i) * RS_GOLDEN_TURN);
+    return ivec2(floor(vec2(where.pixel) + 0.5 + r * vec2(cos(phi), sin(phi))));
+}
+
+RsNeighbour rsLoadNeighbour(RsNeighbourhood where, uint i) {
+    uvec2 at = uvec2(rsNeighbourPixel(where, i));
+    return RsNeighbour(rsLoadSurface(at), rsLoadSource(at), false);
+}
+
+RsNeighbourhood rsFindNeighbours(RsSurface s, uvec2 pixel, uvec2 extent, RsDiConstants di, inout RsRandom random) {
+    RsNeighbourhood where = RsNeighbourhood(pixel, di.radius, rsNext2(random), di.neighbours, 0u, 0.0);
+    for (uint i = 0u; i < di.neighbours; ++i) {
+        ivec2 at = rsNeighbourPixel(where, i);
+        if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(extent))) || uvec2(at) == pixel) continue;
+        if (!rsSimilarInFrame(s, rsLoadSurface(uvec2(at)), di)) continue;
+        where.accepted |= 1u << i;
+        where.confidence += float(rsConfidence(rsLoadSource(uvec2(at))));
+    }
+    return where;
+}
+
+RsReservoir rsDiSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uvec2 extent, RsDiConstants di,
+                        inout RsRandom random) {
+    RsNeighbourhood where = rsFindNeighbours(s, pixel, extent, di, random);
+    return rsCombine(s, canonical, where, di.weights, di.visibility == RS_VISIBILITY_TRACED, random);
+}
+
+#endif

@@ -1,0 +1,37 @@
+// Ray backend: VK_KHR_ray_query. The includer declares `accelerationStructureEXT rsTlas`.
+#ifndef RESTIR_RAYS_QUERY_GLSL
+#define RESTIR_RAYS_QUERY_GLSL
+#include "restir/rays/hit.glsl"
+
+RsHit rsTraceQuery(vec3 origin, vec3 direction, float tmax, uint flags) {
+    rayQueryEXT query;
+    rayQueryInitializeEXT(query, rsTlas, flags, 0xffu, origin, 0.0, direction, tmax);
+    while (rayQueryProceedEXT(query)) {
+        if (rayQueryGetIntersectionTypeEXT(query, false) != gl_RayQueryCandidateIntersectionTriangleEXT) continue;
+        uint record = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) +
+                           rayQueryGetIntersectionGeometryIndexEXT(query, false));
+        RsHit candidate = RsHit(rayQueryGetIntersectionTEXT(query, false), record,
+                                uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false)),
+                                rayQueryGetIntersectionBarycentricsEXT(query, false));
+        if (rsBridgeOpaque(candidate)) rayQueryConfirmIntersectionEXT(query);
+    }
+    if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT)
+        return RsHit(-1.0, 0u, 0u, vec2(0.0));
+    return RsHit(rayQueryGetIntersectionTEXT(query, true),
+                 uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true) +
+                      rayQueryGetIntersectionGeometryIndexEXT(query, true)),
+                 uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true)),
+                 rayQueryGetIntersectionBarycentricsEXT(query, true));
+}
+
+bool rsOccluded(vec3 origin, vec3 direction, float tmax) {
+    rsOnRay(origin, direction, tmax, false);
+    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsTerminateOnFirstHitEXT).t >= 0.0;
+}
+
+RsHit rsClosestHit(vec3 origin, vec3 direction, float tmax) {
+    rsOnRay(origin, direction, tmax, true);
+    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsNoneEXT);
+}
+
+#endif

@@ -1,0 +1,37 @@
+#!/bin/sh
+# check.sh GLSLANG SPIRV_VAL SOURCE OUT
+# Every pass is valid SPIR-V, and every file of the GLSL library but the bridge, which binds, compiles on its own: the only
+# name it asks of its includer is the scene to trace.
+set -eu
+glslang=$1 spirv_val=$2 source=$3 out=$4
+mkdir -p "$out"
+failed=0
+
+compile() {   # compile NAME FILE
+    if ! "$glslang" -V --quiet --target-env vulkan1.3 -S comp -DRS_RAYS=0 -I"$source/shaders/standard" \
+        -I"$source/include" -I"$source/shaders" -o "$out/module.spv" "$2" ||
+        ! "$spirv_val" --target-env vulkan1.3 --scalar-block-layout "$out/module.spv"
+    then
+        echo "FAILED: $1"
+        failed=1
+    fi
+}
+
+cd "$source/shaders"
+for file in $(find passes -mindepth 2 -name '*.glsl' | sort); do
+    compile "$file" "$file"
+done
+for file in $(find restir -name '*.glsl' ! -path 'restir/bridge/*' | sort); do
+    cat > "$out/alone.glsl" <<EOF
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_ray_query : require
+layout(set = 0, binding = 0) uniform accelerationStructureEXT rsTlas;
+#include "$file"
+layout(local_size_x = 8, local_size_y = 8) in;
+void main() {}
+EOF
+    compile "$file, alone" "$out/alone.glsl"
+done
+exit $failed

@@ -32,9 +32,12 @@ build::StreetSize parseStreet(std::string_view name, std::string_view query) {
         const size_t equals = pair.find('=');
         const std::string_view key = pair.substr(0, equals);
         const std::string_view value = equals == std::string_view::npos ? "" : pair.substr(equals + 1);
-        if (key == "triangles") size.triangles = parseCount(name, key, value);
-        else if (key == "emissive") size.emissive = parseCount(name, key, value);
-        else fail(name, "unknown key '" + std::string{key} + "', known: triangles, emissive");
+        if (key == "triangles")
+            size.triangles = parseCount(name, key, value);
+        else if (key == "emissive")
+            size.emissive = parseCount(name, key, value);
+        else
+            fail(name, "unknown key '" + std::string{key} + "', known: triangles, emissive");
     }
     if (size.triangles == 0) fail(name, "triangles must be at least 1");
     if (size.emissive > size.triangles) fail(name, "more emissive triangles than triangles");

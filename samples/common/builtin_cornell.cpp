@@ -29,9 +29,12 @@ constexpr Block kShort{{0.52f, 0.38f, 0.3f}, {0.38f, 0.38f, 0.38f}, -0.3f};
 
 // Each wall faces inward and blocks light both ways.
 void addRoom(SceneData& scene) {
-    const uint32_t white = addMaterial(scene, {.color = {0.73f, 0.71f, 0.68f}, .roughness = 1, .specular = 0.5f});
-    const uint32_t red = addMaterial(scene, {.color = {0.61f, 0.06f, 0.05f}, .roughness = 1, .specular = 0.5f});
-    const uint32_t green = addMaterial(scene, {.color = {0.11f, 0.43f, 0.09f}, .roughness = 1, .specular = 0.5f});
+    const uint32_t white =
+        addMaterial(scene, {.color = {0.73f, 0.71f, 0.68f}, .roughness = 1, .specular = 0.5f});
+    const uint32_t red =
+        addMaterial(scene, {.color = {0.61f, 0.06f, 0.05f}, .roughness = 1, .specular = 0.5f});
+    const uint32_t green =
+        addMaterial(scene, {.color = {0.11f, 0.43f, 0.09f}, .roughness = 1, .specular = 0.5f});
     const glm::vec3 x{2 * kHalfWidth, 0, 0}, y{0, kHeight, 0}, z{0, 0, kFront - kBack};
     const glm::vec3 corner{-kHalfWidth, 0, kBack};
     Geometry whiteWalls{.material = white}, left{.material = red}, right{.material = green};
@@ -96,7 +99,8 @@ SceneData makeCornell() {
     addBlock(scene, kTall, {.color = {0.91f, 0.84f, 0.72f}, .roughness = 0.3f, .metalness = 1});
     addBlock(scene, kShort, {.color = {0.7f, 0.7f, 0.72f}, .roughness = 1, .specular = 0.5f});
     addLights(scene);
-    scene.views.push_back({.eye = {0, 1.3f, kFront - 0.05f}, .target = {0, 1.2f, 0}, .verticalFov = 1.0f, .name = "room"});
+    scene.views.push_back(
+        {.eye = {0, 1.3f, kFront - 0.05f}, .target = {0, 1.2f, 0}, .verticalFov = 1.0f, .name = "room"});
     return scene;
 }
 

@@ -40,12 +40,23 @@ void addTower(SceneData& scene, const Materials& m) {
         addBox(parts.of(m.trim), {-kHalf - 0.15f, y, kBack}, {kHalf + 0.15f, y + 0.3f, kFront + 0.2f});
     addBox(parts.of(m.walls[4]), {-kHalfStreet - 6, 0, kBack}, {-kHalf, 6, kFront - 0.6f});
     addBox(parts.of(m.walls[4]), {kHalf, 0, kBack}, {kHalfStreet + 6, 6, kFront - 0.6f});
-    addPatch(parts.of(m.gate), {.origin = {-1.2f, 0, kFront + 0.02f}, .u = {2.4f, 0, 0}, .v = {0, 3.6f, 0}, .columns = 3, .rows = 4});
-    addPatch(parts.of(m.clock), {.origin = {-1.3f, 9.6f, kFront + 0.03f}, .u = {2.6f, 0, 0}, .v = {0, 2.6f, 0}, .columns = 4, .rows = 4});
+    addPatch(parts.of(m.gate), {.origin = {-1.2f, 0, kFront + 0.02f},
+                                .u = {2.4f, 0, 0},
+                                .v = {0, 3.6f, 0},
+                                .columns = 3,
+                                .rows = 4});
+    addPatch(parts.of(m.clock), {.origin = {-1.3f, 9.6f, kFront + 0.03f},
+                                 .u = {2.6f, 0, 0},
+                                 .v = {0, 2.6f, 0},
+                                 .columns = 4,
+                                 .rows = 4});
     const glm::vec3 top{0, kHeight + 4.5f, (kFront + kBack) / 2};
-    const std::array<glm::vec3, 4> eaves = {{{-kHalf - 0.3f, kHeight, kFront + 0.3f}, {kHalf + 0.3f, kHeight, kFront + 0.3f},
-                                             {kHalf + 0.3f, kHeight, kBack - 0.3f}, {-kHalf - 0.3f, kHeight, kBack - 0.3f}}};
-    for (size_t i = 0; i < eaves.size(); ++i) addTriangle(parts.of(m.roof), {eaves[i], eaves[(i + 1) % 4], top});
+    const std::array<glm::vec3, 4> eaves = {{{-kHalf - 0.3f, kHeight, kFront + 0.3f},
+                                             {kHalf + 0.3f, kHeight, kFront + 0.3f},
+                                             {kHalf + 0.3f, kHeight, kBack - 0.3f},
+                                             {-kHalf - 0.3f, kHeight, kBack - 0.3f}}};
+    for (size_t i = 0; i < eaves.size(); ++i)
+        addTriangle(parts.of(m.roof), {eaves[i], eaves[(i + 1) % 4], top});
     addInstance(scene, parts.addTo(scene));
     for (const float side : {-1.0f, 1.0f}) {
         const glm::vec3 position{side * 3.2f, 0.5f, kFront + 4.5f}, aim{side * 0.8f, 10.5f, kFront};
@@ -62,12 +73,14 @@ namespace {
 
 void addHouses(SceneData& scene, const Materials& m) {
     Rng rng(41);
+    uint32_t sign = 6;   // puts RESTIR where the first view reads it
     for (const bool left : {true, false}) {
         float along = kNearEnd;
         while (along > kFarEnd + 1) {
             const float width = std::min(rng.range(5.2f, 7.4f), along - kFarEnd);
             if (width < 4) break;
-            const House house{.width = width, .floors = 2 + rng.below(3), .seed = rng.below(100000)};
+            const House house{
+                .width = width, .floors = 2 + rng.below(3), .seed = rng.below(100000), .sign = sign++ % 8};
             const float x = kHalfStreet + rng.range(0, 0.12f);
             const uint32_t mesh = makeHouse(scene, m, house);
             const glm::vec3 corner = left ? glm::vec3{-x, 0, along} : glm::vec3{x, 0, along - width};

@@ -81,15 +81,18 @@ Geometry makeLeaves(uint32_t material, uint64_t count, Rng& rng) {
         const glm::vec3 centre =
             glm::vec3{0, 5.2f, 0} + outward * glm::vec3{1.9f, 1.6f, 1.9f} * std::cbrt(rng.uniform());
         const glm::vec3 u = rng.direction();
-        const glm::vec3 v = glm::cross(u, glm::normalize(outward + 0.5f * rng.direction() + glm::vec3{0, 0.01f, 0}));
+        const glm::vec3 v =
+            glm::cross(u, glm::normalize(outward + 0.5f * rng.direction() + glm::vec3{0, 0.01f, 0}));
         const float size = rng.range(0.05f, 0.11f);
-        addTriangle(leaves, {centre - u * size, centre + u * size, centre + (v + 0.02f * outward) * 2.0f * size});
+        addTriangle(leaves,
+                    {centre - u * size, centre + u * size, centre + (v + 0.02f * outward) * 2.0f * size});
     }
     return leaves;
 }
 
 constexpr std::array<uint32_t, 6> kBulbColors = {0xffc56e, 0xff6b4a, 0x5ec8ff, 0x86ff7a, 0xffe9c9, 0xf27cff};
-constexpr uint32_t kBulbTriangles = 8, kBulbsPerString = 16, kStringTriangles = kBulbTriangles * kBulbsPerString;
+constexpr uint32_t kBulbTriangles = 8, kBulbsPerString = 16,
+                   kStringTriangles = kBulbTriangles * kBulbsPerString;
 
 class StreetBuilder {
 public:
@@ -114,12 +117,14 @@ public:
 private:
     void makeMaterials() {
         constexpr std::array<uint32_t, kHouseKinds> kWalls = {0xb08a62, 0x8f6a5a, 0x9aa0a6, 0xc2a878};
-        const uint32_t plaster = addTexture(scene_, paint(256, 256, true, [](const glm::vec2& uv) {
-            return glm::vec4{glm::vec3{0.55f + 0.45f * fractalNoise(uv, 8, 3)}, 1};
-        }));
+        const uint32_t plaster =
+            addTexture(scene_, paint(256, 256, true, [](const glm::vec2& uv) {
+                           return glm::vec4{glm::vec3{0.55f + 0.45f * fractalNoise(uv, 8, 3)}, 1};
+                       }));
         for (const uint32_t wall : kWalls)
             walls_.push_back(addMaterial(
-                scene_, {.color = hex(wall), .roughness = 0.9f, .colorTexture = plaster, .doubleSided = true}));
+                scene_,
+                {.color = hex(wall), .roughness = 0.9f, .colorTexture = plaster, .doubleSided = true}));
         ground_ = addMaterial(scene_, {.color = hex(0x6a6866), .roughness = 0.35f, .colorTexture = plaster});
         leaf_ = addMaterial(scene_, {.color = hex(0x4f7a35), .roughness = 0.6f, .doubleSided = true});
         bark_ = addMaterial(scene_, {.color = hex(0x4a3626), .roughness = 0.9f});
@@ -188,7 +193,8 @@ private:
 
     void addPoles() {
         Geometry pole{.material = metal_}, trunk{.material = bark_};
-        constexpr std::array<glm::vec2, 5> kPole = {{{0.16f, 0}, {0.12f, 0.5f}, {0.06f, 0.8f}, {0.05f, 5}, {0, 5.1f}}};
+        constexpr std::array<glm::vec2, 5> kPole = {
+            {{0.16f, 0}, {0.12f, 0.5f}, {0.06f, 0.8f}, {0.05f, 5}, {0, 5.1f}}};
         constexpr std::array<glm::vec2, 3> kTrunk = {{{0.24f, 0}, {0.15f, 2}, {0.08f, 5}}};
         addLathe(pole, glm::vec3{0}, kPole, 12);
         addLathe(trunk, glm::vec3{0}, kTrunk, 8);
@@ -201,7 +207,8 @@ private:
 
     static glm::mat4 besideStreet(uint32_t i, float shift) {
         const float x = i % 2 == 0 ? -kHalfStreet + 2 : kHalfStreet - 2;
-        return place({x, 0, houseZ(i / 2 % kHousesPerSide) + shift * kHouseWidth}, 2.4f * static_cast<float>(i));
+        return place({x, 0, houseZ(i / 2 % kHousesPerSide) + shift * kHouseWidth},
+                     2.4f * static_cast<float>(i));
     }
 
     void addGround(uint64_t budget) {
@@ -249,7 +256,10 @@ private:
     void addViews() {
         const float end = kLength / 2;
         scene_.views = {
-            {.eye = {1.2f, 1.7f, end - 4}, .target = {0, 3.2f, end - 24}, .verticalFov = 0.9f, .name = "street"},
+            {.eye = {1.2f, 1.7f, end - 4},
+             .target = {0, 3.2f, end - 24},
+             .verticalFov = 0.9f,
+             .name = "street"},
             {.eye = {-4, 9, end - 2}, .target = {1, 3, end - 30}, .verticalFov = 0.9f, .name = "above"}};
     }
 

@@ -4,7 +4,8 @@ namespace samples {
 namespace {
 
 constexpr uint32_t kChannels = 4;
-constexpr Access kCopy{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_GENERAL};
+constexpr Access kCopy{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
+                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
 
 }   // namespace
 
@@ -65,7 +66,7 @@ void FrameLoop::submit(const Frame& frame, const FrameCallbacks& callbacks) {
     pipelineBarrier(cmd, {{imageBarrier(target_, {written.stages, written.access, VK_IMAGE_LAYOUT_GENERAL}, kCopy)}});
     const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                    .imageExtent = {extent_.width, extent_.height, 1}};
-    vkCmdCopyImageToBuffer(cmd, target_.handle(), VK_IMAGE_LAYOUT_GENERAL, readback_[frame.slot].handle(), 1, &region);
+    vkCmdCopyImageToBuffer(cmd, target_.handle(), kCopy.layout, readback_[frame.slot].handle(), 1, &region);
     memoryBarrier(cmd, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                   {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
     slots_.submit(frame.slot);

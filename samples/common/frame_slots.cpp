@@ -31,6 +31,8 @@ void FrameSlots::wait(uint32_t slot) const {
 
 VkCommandBuffer FrameSlots::begin(uint32_t slot) {
     wait(slot);
+    // A recording that an error cut short begins anew.
+    check(vkResetCommandBuffer(commands_[slot], 0), "vkResetCommandBuffer");
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                          .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
     check(vkBeginCommandBuffer(commands_[slot], &begin), "vkBeginCommandBuffer");

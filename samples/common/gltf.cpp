@@ -30,7 +30,8 @@ bool contains(const std::array<const char*, N>& names, const std::string& name) 
 
 void checkExtensions(Reader& reader) {
     for (const std::string& name : reader.model().extensionsRequired)
-        if (contains(kGeometryExtensions, name)) reader.fail("extensionsRequired", name + " is not supported");
+        if (contains(kGeometryExtensions, name))
+            reader.fail("extensionsRequired", name + " is not supported");
     for (const std::string& name : reader.model().extensionsUsed)
         if (!contains(kSupported, name)) reader.warn(name + " is ignored");
     if (!reader.model().skins.empty()) reader.warn("skins are ignored, meshes stay in their bind pose");
@@ -44,7 +45,8 @@ glm::vec3 vec3Of(const std::vector<double>& values, glm::vec3 otherwise) {
 glm::mat4 localTransform(const tinygltf::Node& node) {
     if (node.matrix.size() == 16) {
         glm::mat4 matrix;
-        for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = static_cast<float>(node.matrix[static_cast<size_t>(i)]);
+        for (int i = 0; i < 16; ++i)
+            matrix[i / 4][i % 4] = static_cast<float>(node.matrix[static_cast<size_t>(i)]);
         return matrix;
     }
     glm::quat rotation{1, 0, 0, 0};
@@ -117,7 +119,8 @@ private:
     void readNode(const tinygltf::Node& node, const glm::mat4& world, const std::string& field) {
         if (node.mesh >= 0) addInstance(node.mesh, world, field);
         if (node.camera >= 0) addView(node, world, field);
-        if (node.extensions.contains("EXT_mesh_gpu_instancing")) reader_.warn("EXT_mesh_gpu_instancing is ignored");
+        if (node.extensions.contains("EXT_mesh_gpu_instancing"))
+            reader_.warn("EXT_mesh_gpu_instancing is ignored");
         const auto light = node.extensions.find("KHR_lights_punctual");
         if (light == node.extensions.end() || !light->second.IsObject()) return;
         const tinygltf::Value& index = light->second.Get("light");
@@ -125,7 +128,8 @@ private:
     }
 
     void addInstance(int gltfMesh, const glm::mat4& world, const std::string& field) {
-        std::optional<uint32_t>& mesh = meshes_[reader_.checkedIndex(gltfMesh, meshes_.size(), field + ".mesh")];
+        std::optional<uint32_t>& mesh =
+            meshes_[reader_.checkedIndex(gltfMesh, meshes_.size(), field + ".mesh")];
         if (!mesh) {
             Mesh converted = convertMesh(reader_, materials_, static_cast<size_t>(gltfMesh));
             for (const Geometry& geometry : converted.geometries) indexCount_ += geometry.indices.size();
@@ -162,9 +166,12 @@ private:
         const auto& lights = reader_.model().lights;
         const auto& light = lights[reader_.checkedIndex(index, lights.size(), field)];
         PunctualLight out;
-        if (light.type == "spot") out.kind = PunctualKind::Spot;
-        else if (light.type == "directional") out.kind = PunctualKind::Directional;
-        else if (light.type != "point") reader_.fail(field, "unknown type " + light.type);
+        if (light.type == "spot")
+            out.kind = PunctualKind::Spot;
+        else if (light.type == "directional")
+            out.kind = PunctualKind::Directional;
+        else if (light.type != "point")
+            reader_.fail(field, "unknown type " + light.type);
         out.position = glm::vec3{world[3]};
         out.direction = direction(world, {0, 0, -1});
         out.intensity = vec3Of(light.color, glm::vec3{1}) * static_cast<float>(light.intensity);

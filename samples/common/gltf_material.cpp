@@ -28,7 +28,8 @@ bool decode(std::span<const uint8_t> bytes, Image& image) noexcept try {
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) return false;
     if (width <= 0 || height <= 0 || width > kMaxImageSide || height > kMaxImageSide) return false;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, STBI_rgb_alpha), stbi_image_free);
+        stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, STBI_rgb_alpha),
+        stbi_image_free);
     if (!pixels) return false;
     image.width = static_cast<uint32_t>(width);
     image.height = static_cast<uint32_t>(height);
@@ -38,7 +39,9 @@ bool decode(std::span<const uint8_t> bytes, Image& image) noexcept try {
     return false;
 }
 
-float clamped(double value) { return std::isfinite(value) ? std::clamp(static_cast<float>(value), 0.0f, 1.0f) : 0; }
+float clamped(double value) {
+    return std::isfinite(value) ? std::clamp(static_cast<float>(value), 0.0f, 1.0f) : 0;
+}
 
 glm::vec4 color(const std::vector<double>& values, size_t count) {
     glm::vec4 result{1};
@@ -63,10 +66,11 @@ struct TextureUse {
 
 std::vector<TextureUse> textureUses(const tinygltf::Material& material) {
     const auto& pbr = material.pbrMetallicRoughness;
-    std::vector<TextureUse> uses = {{pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord},
-                                    {material.emissiveTexture.index, material.emissiveTexture.texCoord},
-                                    {pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord},
-                                    {material.normalTexture.index, material.normalTexture.texCoord}};
+    std::vector<TextureUse> uses = {
+        {pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord},
+        {material.emissiveTexture.index, material.emissiveTexture.texCoord},
+        {pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord},
+        {material.normalTexture.index, material.normalTexture.texCoord}};
     std::erase_if(uses, [](const TextureUse& use) { return use.index < 0; });
     return uses;
 }
@@ -163,10 +167,13 @@ void Materials::readSpecular(const tinygltf::Material& material, RsMaterial& out
 }
 
 // Rays are blocked or not, nothing between: BLEND is a mask at one half, so that a surface more transparent
-// than opaque (the glass tubes of a neon sign, the clear parts of a decal) is not there and the rest is solid.
+// than opaque (the glass tubes of a neon sign, the clear parts of a decal) is not there and the rest is
+// solid.
 void Materials::readAlpha(const tinygltf::Material& material, RsMaterial& out) {
-    if (material.alphaMode == "BLEND") ++blendMaterials_;
-    else if (material.alphaMode != "MASK") return;
+    if (material.alphaMode == "BLEND")
+        ++blendMaterials_;
+    else if (material.alphaMode != "MASK")
+        return;
     out.alphaCutoff = material.alphaMode == "MASK" ? static_cast<float>(material.alphaCutoff) : 0.5f;
     const bool canPass = out.baseColorTexture != RS_NO_TEXTURE || out.baseColor.w < out.alphaCutoff;
     if (canPass) out.flags |= RS_MATERIAL_ALPHA_MASK;
@@ -217,10 +224,12 @@ void Materials::decodeImages() {
     }
     std::atomic<size_t> next = 0;
     const auto work = [&] {
-        for (size_t i = next++; i < jobs.size(); i = next++) jobs[i].decoded = decode(jobs[i].bytes, *jobs[i].target);
+        for (size_t i = next++; i < jobs.size(); i = next++)
+            jobs[i].decoded = decode(jobs[i].bytes, *jobs[i].target);
     };
     {
-        const size_t threads = std::min<size_t>(jobs.size(), std::max(1u, std::thread::hardware_concurrency()));
+        const size_t threads =
+            std::min<size_t>(jobs.size(), std::max(1u, std::thread::hardware_concurrency()));
         std::vector<std::jthread> pool;
         for (size_t t = 0; t < threads; ++t) pool.emplace_back(work);
     }

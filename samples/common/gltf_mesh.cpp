@@ -44,8 +44,8 @@ std::vector<uint32_t> unroll(const std::vector<uint32_t>& source, int mode) {
     return indices;
 }
 
-std::vector<uint32_t> triangleIndices(Reader& reader, const tinygltf::Primitive& primitive, size_t vertexCount,
-                                      const std::string& field) {
+std::vector<uint32_t> triangleIndices(Reader& reader, const tinygltf::Primitive& primitive,
+                                      size_t vertexCount, const std::string& field) {
     std::vector<uint32_t> indices;
     if (primitive.indices >= 0) {
         indices = reader.readIndices(primitive.indices, field + ".indices");
@@ -56,8 +56,8 @@ std::vector<uint32_t> triangleIndices(Reader& reader, const tinygltf::Primitive&
     if (indices.size() > kMaxIndices / 3) reader.fail(field, "too many indices");
     const auto largest = std::max_element(indices.begin(), indices.end());
     if (largest != indices.end() && *largest >= vertexCount)
-        reader.fail(field + ".indices", "index " + std::to_string(*largest) + " of " +
-                                            std::to_string(vertexCount) + " vertices");
+        reader.fail(field + ".indices",
+                    "index " + std::to_string(*largest) + " of " + std::to_string(vertexCount) + " vertices");
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES) return unroll(indices, primitive.mode);
     if (indices.size() % 3 != 0) {
         reader.warn(field + ": index count is no multiple of three, the rest is dropped");
@@ -76,8 +76,8 @@ void repairNormals(Reader& reader, Geometry& geometry, const std::string& field)
     for (size_t i = 0; i < geometry.indices.size(); i += 3) {
         const uint32_t* triangle = &geometry.indices[i];
         const glm::vec3 origin = geometry.positions[triangle[0]];
-        const glm::vec3 areaNormal = glm::cross(geometry.positions[triangle[1]] - origin,
-                                                geometry.positions[triangle[2]] - origin);
+        const glm::vec3 areaNormal =
+            glm::cross(geometry.positions[triangle[1]] - origin, geometry.positions[triangle[2]] - origin);
         for (size_t corner = 0; corner < 3; ++corner) sums[triangle[corner]] += areaNormal;
     }
     for (size_t v = 0; v < geometry.normals.size(); ++v) {
@@ -137,7 +137,8 @@ Mesh convertMesh(Reader& reader, Materials& materials, size_t index) {
     Mesh mesh;
     const auto& primitives = reader.model().meshes[index].primitives;
     for (size_t p = 0; p < primitives.size(); ++p) {
-        const std::string field = "meshes[" + std::to_string(index) + "].primitives[" + std::to_string(p) + "]";
+        const std::string field =
+            "meshes[" + std::to_string(index) + "].primitives[" + std::to_string(p) + "]";
         if (!isTriangles(primitives[p].mode)) {
             reader.warn("primitives of mode " + std::to_string(primitives[p].mode) +
                         " (points or lines) are skipped");

@@ -36,10 +36,14 @@ bool tooDeep(std::span<const uint8_t> json) {
     bool inString = false;
     for (size_t i = 0; i < json.size(); ++i) {
         const uint8_t c = json[i];
-        if (inString && c == '\\') ++i;
-        else if (c == '"') inString = !inString;
-        else if (!inString && (c == '{' || c == '[')) ++depth;
-        else if (!inString && (c == '}' || c == ']')) --depth;
+        if (inString && c == '\\')
+            ++i;
+        else if (c == '"')
+            inString = !inString;
+        else if (!inString && (c == '{' || c == '['))
+            ++depth;
+        else if (!inString && (c == '}' || c == ']'))
+            --depth;
         if (depth > kMaxJsonDepth) return true;
     }
     return false;
@@ -59,8 +63,8 @@ std::span<const uint8_t> jsonPart(std::span<const uint8_t> bytes) {
 
 // Keeps the encoded bytes: decoding happens later, in parallel and only for images in use. Images in a
 // buffer view are not touched here, since tinygltf has not checked that view's range.
-bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
-                 int size, void*) {
+bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int,
+                 const unsigned char* bytes, int size, void*) {
     image->as_is = true;
     if (image->bufferView < 0) image->image.assign(bytes, bytes + std::max(size, 0));
     return true;
@@ -81,13 +85,20 @@ using ToFloat = float (*)(const uint8_t*, bool);
 
 ToFloat floatConverter(int componentType) {
     switch (componentType) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE: return toFloat<int8_t>;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return toFloat<uint8_t>;
-        case TINYGLTF_COMPONENT_TYPE_SHORT: return toFloat<int16_t>;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return toFloat<uint16_t>;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return toFloat<uint32_t>;
-        case TINYGLTF_COMPONENT_TYPE_FLOAT: return toFloat<float>;
-        default: return nullptr;
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return toFloat<int8_t>;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return toFloat<uint8_t>;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return toFloat<int16_t>;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return toFloat<uint16_t>;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return toFloat<uint32_t>;
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return toFloat<float>;
+        default:
+            return nullptr;
     }
 }
 
@@ -157,7 +168,8 @@ size_t Reader::checkedIndex(int index, size_t count, const std::string& field) c
 std::span<const uint8_t> Reader::viewBytes(int bufferView, const std::string& field) const {
     const auto& view = model_.bufferViews[checkedIndex(bufferView, model_.bufferViews.size(), field)];
     const std::string name = "bufferViews[" + std::to_string(bufferView) + "]";
-    const auto& data = model_.buffers[checkedIndex(view.buffer, model_.buffers.size(), name + ".buffer")].data;
+    const auto& data =
+        model_.buffers[checkedIndex(view.buffer, model_.buffers.size(), name + ".buffer")].data;
     if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
         fail(name, "reaches past the end of its buffer");
     return {data.data() + view.byteOffset, view.byteLength};
@@ -209,8 +221,8 @@ void Reader::readFloats(int index, int components, std::span<float> out, const s
     const Elements elements = elementsOf(index, components, field);
     const auto& accessor = model_.accessors[static_cast<size_t>(index)];
     const size_t width = static_cast<size_t>(components);
-    const bool packed = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT &&
-                        elements.stride == width * sizeof(float);
+    const bool packed =
+        accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT && elements.stride == width * sizeof(float);
     if (!elements.data) {
         std::fill(out.begin(), out.end(), 0.0f);
     } else if (packed) {

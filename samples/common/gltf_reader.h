@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <glm/glm.hpp>
 #include <tiny_gltf.h>
+#include <glm/glm.hpp>
 
 #include "scene.h"
 
@@ -40,7 +40,8 @@ public:
 private:
     struct Elements;   // a strided run of accessor elements, bounds checked
     Elements elementsOf(int accessor, int components, const std::string& field) const;
-    void applySparse(const tinygltf::Accessor& accessor, std::span<float> out, const std::string& field) const;
+    void applySparse(const tinygltf::Accessor& accessor, std::span<float> out,
+                     const std::string& field) const;
     void parse(const std::vector<uint8_t>& bytes);
 
     tinygltf::Model model_;
@@ -60,8 +61,10 @@ public:
 
 private:
     restir::gpu::RsMaterial convert(const tinygltf::Material& material, const std::string& field);
-    void readEmission(const tinygltf::Material& material, restir::gpu::RsMaterial& out, const std::string& field);
-    void readSpecular(const tinygltf::Material& material, restir::gpu::RsMaterial& out, const std::string& field);
+    void readEmission(const tinygltf::Material& material, restir::gpu::RsMaterial& out,
+                      const std::string& field);
+    void readSpecular(const tinygltf::Material& material, restir::gpu::RsMaterial& out,
+                      const std::string& field);
     void readAlpha(const tinygltf::Material& material, restir::gpu::RsMaterial& out);
     uint32_t texture(int index, bool srgb, const std::string& field);
     uint32_t image(size_t gltfImage, bool srgb);

@@ -13,8 +13,8 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
-#include <glm/glm.hpp>
 #include <stb/stb_image_write.h>
+#include <glm/glm.hpp>
 
 namespace samples {
 
@@ -82,10 +82,10 @@ glm::vec3 pixel(const FloatImage& image, size_t index) {
 
 float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
 
-// Brings the log-average luminance to middle gray. Pixels darker than a thousandth of the 90th percentile
-// count as black, or a night sky's last glimmer would set the exposure.
+// Brings the log-average luminance a little below middle gray. Pixels darker than a thousandth of the 90th
+// percentile count as black, or a night sky's last glimmer would set the exposure.
 float autoExposure(const FloatImage& image) {
-    constexpr float kMiddleGray = 0.18f, kBlack = 1e-3f;
+    constexpr float kTarget = 0.14f, kBlack = 1e-3f;
     std::vector<float> lit;
     for (size_t i = 0; i < size_t{image.width} * image.height; ++i)
         if (const float value = luminance(pixel(image, i)); value > 0) lit.push_back(value);
@@ -96,7 +96,7 @@ float autoExposure(const FloatImage& image) {
     std::erase_if(lit, [&](float value) { return value < black; });
     double sum = 0;
     for (const float value : lit) sum += std::log(value);
-    return kMiddleGray / static_cast<float>(std::exp(sum / static_cast<double>(lit.size())));
+    return kTarget / static_cast<float>(std::exp(sum / static_cast<double>(lit.size())));
 }
 
 // Narkowicz's fit of the ACES filmic curve (2015), scaled so that exposed middle gray stays middle gray.
@@ -106,14 +106,16 @@ float filmic(float x) {
     return std::min(v * (2.51f * v + 0.03f) / (v * (2.43f * v + 0.59f) + 0.14f), 1.0f);
 }
 
-// The curve acts on the largest channel, which keeps hues; past white, colours fade slowly towards white, so
-// that lamps look bright and still coloured.
+// Mostly the curve of the largest channel, which keeps hues; a part of the curve of each channel, which lets
+// bright reds turn orange as film does. Far past white, colours fade slowly, so that lamps look bright and
+// still coloured.
 glm::vec3 toneMap(const glm::vec3& color) {
     const float peak = std::max({color.x, color.y, color.z});
     if (peak <= 0) return glm::vec3{0};
-    constexpr float kFadeStart = 1.0f, kFadeRate = 0.045f, kLargestFade = 0.8f;
+    constexpr float kFadeStart = 2.0f, kFadeRate = 0.008f, kLargestFade = 0.6f, kPerChannel = 0.35f;
     const float fade = 1 - 1 / (1 + kFadeRate * std::max(peak - kFadeStart, 0.0f));
-    const glm::vec3 mapped = color * (filmic(peak) / peak);
+    const glm::vec3 perChannel{filmic(color.x), filmic(color.y), filmic(color.z)};
+    const glm::vec3 mapped = glm::mix(color * (filmic(peak) / peak), perChannel, kPerChannel);
     return glm::mix(mapped, glm::vec3{filmic(peak)}, std::min(fade, kLargestFade));
 }
 

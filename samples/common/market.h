@@ -15,7 +15,8 @@ constexpr float kNearEnd = 19, kFarEnd = -44;   // along z; the camera stands ne
 constexpr float kKerb = 0.12f, kPavement = 1.15f;
 
 struct Materials {
-    uint32_t cobbles, paving, wood, darkWood, iron, brass, trim, roof, glass, cloth, pot, lattice, foliage, flowers;
+    uint32_t cobbles, paving, wood, darkWood, iron, brass, trim, roof, glass, cloth, pot, lattice, foliage,
+        flowers;
     uint32_t lamp, clock, gate;
     std::array<uint32_t, 6> walls;
     std::array<uint32_t, 3> windows, shops, doors;
@@ -57,6 +58,7 @@ struct House {
     float width;
     uint32_t floors;   // above the shop
     uint32_t seed;
+    uint32_t sign;   // into Materials::signs
 };
 float houseHeight(const House& house);
 // Facade in the plane z = 0, x in [0, width].

@@ -82,7 +82,8 @@ private:
         const bool doorLeft = door < w / 2;
         const float split = doorLeft ? door + 1.3f : door - 0.2f;
         const Rect doorHole{door, 0.1f, door + 1.1f, 2.45f};
-        const Rect shopHole{doorLeft ? split + 0.25f : 0.4f, 0.75f, doorLeft ? w - 0.4f : split - 0.25f, 2.6f};
+        const Rect shopHole{doorLeft ? split + 0.25f : 0.4f, 0.75f, doorLeft ? w - 0.4f : split - 0.25f,
+                            2.6f};
         const Rect doorCell{doorLeft ? 0 : split, 0, doorLeft ? split : w, kShopHeight};
         const Rect shopCell{doorLeft ? split : 0, 0, doorLeft ? w : split, kShopHeight};
         const bool open = rng_.uniform() < 0.72f;
@@ -117,11 +118,15 @@ private:
                           .columns = 8,
                           .rows = 3,
                           .uvScale = repeat});
-        addPatch(awning, {.origin = {x0, kFront - kHem, kReach}, .u = {width, 0, 0}, .v = {0, kHem, 0}, .uvScale = repeat});
+        addPatch(awning, {.origin = {x0, kFront - kHem, kReach},
+                          .u = {width, 0, 0},
+                          .v = {0, kHem, 0},
+                          .uvScale = repeat});
         addTriangle(awning, {glm::vec3{x0, kFront, kReach}, {x0, kTop, 0.02f}, {x0, kFront, 0.02f}});
         const float x1 = x0 + width;
         addTriangle(awning, {glm::vec3{x1, kFront, kReach}, {x1, kFront, 0.02f}, {x1, kTop, 0.02f}});
-        addBox(parts_.of(m_.iron), {x0, kFront - 0.02f, kReach - 0.03f}, {x1, kFront + 0.01f, kReach - 0.005f});
+        addBox(parts_.of(m_.iron), {x0, kFront - 0.02f, kReach - 0.03f},
+               {x1, kFront + 0.01f, kReach - 0.005f});
     }
 
     void addFloor(uint32_t floor) {
@@ -129,6 +134,7 @@ private:
         const float y = kShopHeight + kFloorHeight * static_cast<float>(floor);
         const float cellWidth = house_.width / static_cast<float>(columns);
         const bool balcony = floor == 0 && rng_.uniform() < 0.4f;
+        balcony_ |= balcony;
         for (uint32_t column = 0; column < columns; ++column) {
             const float x = cellWidth * static_cast<float>(column), middle = x + cellWidth / 2;
             const Rect hole{middle - 0.5f, y + (balcony ? 0.15f : 0.75f), middle + 0.5f, y + 2.3f};
@@ -145,7 +151,8 @@ private:
         addFrame(parts_.of(m_.trim), hole, 2, 3);
         addBox(parts_.of(m_.trim), {hole.x0 - 0.12f, hole.y1, 0}, {hole.x1 + 0.12f, hole.y1 + 0.14f, 0.08f});
         if (!sill) return;
-        addBox(parts_.of(m_.trim), {hole.x0 - 0.1f, hole.y0 - 0.1f, -0.02f}, {hole.x1 + 0.1f, hole.y0, 0.14f});
+        addBox(parts_.of(m_.trim), {hole.x0 - 0.1f, hole.y0 - 0.1f, -0.02f},
+               {hole.x1 + 0.1f, hole.y0, 0.14f});
         if (rng_.uniform() < 0.4f) addFlowerBox(hole);
         if (rng_.uniform() < 0.55f) addShutters(hole);
     }
@@ -165,8 +172,10 @@ private:
     void addFlowerBox(const Rect& hole) {
         addBox(parts_.of(m_.pot), {hole.x0, hole.y0, 0.05f}, {hole.x1, hole.y0 + 0.2f, 0.3f});
         for (uint32_t i = 0; i < 14; ++i) {
-            const glm::vec3 centre{rng_.range(hole.x0, hole.x1), hole.y0 + rng_.range(0.15f, 0.4f), rng_.range(0.1f, 0.34f)};
-            addCard(parts_.of(i % 3 == 0 ? m_.flowers : m_.foliage), rng_, centre, {0, 0.3f, 1}, rng_.range(0.14f, 0.22f));
+            const glm::vec3 centre{rng_.range(hole.x0, hole.x1), hole.y0 + rng_.range(0.15f, 0.4f),
+                                   rng_.range(0.1f, 0.34f)};
+            addCard(parts_.of(i % 3 == 0 ? m_.flowers : m_.foliage), rng_, centre, {0, 0.3f, 1},
+                    rng_.range(0.14f, 0.22f));
         }
     }
 
@@ -177,10 +186,17 @@ private:
         Geometry& iron = parts_.of(m_.lattice);
         const float floor = y + 0.12f;
         const glm::vec3 up{0, kRail, 0};
-        addPatch(iron, {.origin = {x0, floor, kReach}, .u = {x1 - x0, 0, 0}, .v = up, .uvScale = {(x1 - x0) / kRail, 1}});
-        addPatch(iron, {.origin = {x0, floor, 0}, .u = {0, 0, kReach}, .v = up, .uvScale = {kReach / kRail, 1}});
-        addPatch(iron, {.origin = {x1, floor, kReach}, .u = {0, 0, -kReach}, .v = up, .uvScale = {kReach / kRail, 1}});
-        addBox(parts_.of(m_.iron), {x0, floor + kRail, kReach - 0.03f}, {x1, floor + kRail + 0.05f, kReach + 0.03f});
+        addPatch(iron, {.origin = {x0, floor, kReach},
+                        .u = {x1 - x0, 0, 0},
+                        .v = up,
+                        .uvScale = {(x1 - x0) / kRail, 1}});
+        addPatch(iron,
+                 {.origin = {x0, floor, 0}, .u = {0, 0, kReach}, .v = up, .uvScale = {kReach / kRail, 1}});
+        addPatch(
+            iron,
+            {.origin = {x1, floor, kReach}, .u = {0, 0, -kReach}, .v = up, .uvScale = {kReach / kRail, 1}});
+        addBox(parts_.of(m_.iron), {x0, floor + kRail, kReach - 0.03f},
+               {x1, floor + kRail + 0.05f, kReach + 0.03f});
     }
 
     // Sides, cornice, roof and a chimney.
@@ -188,14 +204,16 @@ private:
         const float w = house_.width, h = houseHeight(house_), ridge = h + 1.9f;
         constexpr float kEaves = 0.35f, kRidge = -kDepth / 2;
         Geometry& wall = parts_.of(wall_);
-        addPatch(wall, {.origin = {0, 0, -kDepth}, .u = {0, 0, kDepth}, .v = {0, h, 0}, .uvScale = {2, h / 4}});
+        addPatch(wall,
+                 {.origin = {0, 0, -kDepth}, .u = {0, 0, kDepth}, .v = {0, h, 0}, .uvScale = {2, h / 4}});
         addPatch(wall, {.origin = {w, 0, 0}, .u = {0, 0, -kDepth}, .v = {0, h, 0}, .uvScale = {2, h / 4}});
         addTriangle(wall, {glm::vec3{0, h, -kDepth}, {0, h, 0}, {0, ridge, kRidge}});
         addTriangle(wall, {glm::vec3{w, h, 0}, {w, h, -kDepth}, {w, ridge, kRidge}});
         addBox(parts_.of(m_.trim), {0, h - 0.3f, 0}, {w, h, 0.3f});
         Geometry& roof = parts_.of(m_.roof);
         const glm::vec3 slope{0, ridge - h, kRidge - kEaves};
-        addPatch(roof, {.origin = {-0.05f, h, kEaves}, .u = {w + 0.1f, 0, 0}, .v = slope, .uvScale = {w / 2, 2}});
+        addPatch(roof,
+                 {.origin = {-0.05f, h, kEaves}, .u = {w + 0.1f, 0, 0}, .v = slope, .uvScale = {w / 2, 2}});
         addPatch(roof, {.origin = {w + 0.05f, h, -kDepth},
                         .u = {-w - 0.1f, 0, 0},
                         .v = {0, ridge - h, -kRidge},
@@ -206,16 +224,25 @@ private:
 
     // A blade sign that stands out from the facade, lit on both faces.
     void addSign() {
-        const uint32_t neon = m_.signs[house_.seed % m_.signs.size()];
-        const float x = rng_.range(0.3f, 0.7f) * house_.width, y = kShopHeight + rng_.range(0.0f, 0.5f);
-        constexpr float kStart = 0.25f, kWidth = 1.65f, kHeight = 0.62f, kThick = 0.07f;
-        addBox(parts_.of(m_.iron), {x - kThick, y, kStart}, {x + kThick, y + kHeight, kStart + kWidth});
-        addBox(parts_.of(m_.iron), {x - 0.02f, y + kHeight, 0}, {x + 0.02f, y + kHeight + 0.05f, kStart + kWidth});
+        const uint32_t neon = m_.signs[house_.sign];
+        const float x = rng_.range(0.3f, 0.7f) * house_.width;
+        const float y = kShopHeight + rng_.range(0.0f, 0.5f);
+        // Beyond the railing, where there is one.
+        const float start = balcony_ ? 0.95f : 0.25f;
+        constexpr float kWidth = 1.65f, kHeight = 0.62f, kThick = 0.07f;
+        addBox(parts_.of(m_.iron), {x - kThick, y, start}, {x + kThick, y + kHeight, start + kWidth});
+        addBox(parts_.of(m_.iron), {x - 0.02f, y + kHeight, 0},
+               {x + 0.02f, y + kHeight + 0.05f, start + kWidth});
         constexpr float kGap = 0.004f;
         const glm::vec3 along{0, 0, kWidth}, up{0, kHeight, 0};
         Geometry& faces = parts_.of(neon);
-        addPatch(faces, {.origin = {x - kThick - kGap, y, kStart}, .u = along, .v = up, .columns = 6, .rows = 2});
-        addPatch(faces, {.origin = {x + kThick + kGap, y, kStart + kWidth}, .u = -along, .v = up, .columns = 6, .rows = 2});
+        addPatch(faces,
+                 {.origin = {x - kThick - kGap, y, start}, .u = along, .v = up, .columns = 6, .rows = 2});
+        addPatch(faces, {.origin = {x + kThick + kGap, y, start + kWidth},
+                         .u = -along,
+                         .v = up,
+                         .columns = 6,
+                         .rows = 2});
     }
 
     void addIvy() {
@@ -225,7 +252,8 @@ private:
             const float y = top * std::sqrt(rng_.uniform());
             const float spread = 0.25f + 0.55f * (1 - y / top) + 0.25f * std::sin(2.5f * y);
             const float x = edge + (edge > 0 ? -1.0f : 1.0f) * spread * rng_.uniform();
-            addCard(parts_.of(m_.foliage), rng_, {x, y, rng_.range(0.04f, 0.2f)}, {0, 0, 1}, rng_.range(0.18f, 0.3f));
+            addCard(parts_.of(m_.foliage), rng_, {x, y, rng_.range(0.04f, 0.2f)}, {0, 0, 1},
+                    rng_.range(0.18f, 0.3f));
         }
     }
 
@@ -233,12 +261,15 @@ private:
     House house_;
     Rng rng_;
     uint32_t wall_;
+    bool balcony_ = false;
     Parts parts_;
 };
 
 }   // namespace
 
-float houseHeight(const House& house) { return kShopHeight + kFloorHeight * static_cast<float>(house.floors) + 0.3f; }
+float houseHeight(const House& house) {
+    return kShopHeight + kFloorHeight * static_cast<float>(house.floors) + 0.3f;
+}
 
 uint32_t makeHouse(SceneData& scene, const Materials& materials, const House& house) {
     return HouseBuilder(materials, house).build(scene);

@@ -77,19 +77,23 @@ void addLights(SceneData& scene, Materials& m) {
         return addMaterial(scene, {.color = glm::vec3{0.3f}, .roughness = 0.3f, .emission = emission});
     };
     constexpr std::array<uint32_t, 3> kRooms = {0xffb469, 0xffd39a, 0xff9d52};
-    for (uint32_t i = 0; i < 3; ++i) m.windows[i] = glowing(hex(kRooms[i]) * 3.2f, paintWindow(i + 1));
+    for (uint32_t i = 0; i < 3; ++i) m.windows[i] = glowing(hex(kRooms[i]) * 2.6f, paintWindow(i + 1));
     constexpr std::array<uint32_t, 3> kShops = {0xffc988, 0xffe0b8, 0xbfe0ff};
-    for (uint32_t i = 0; i < 3; ++i) m.shops[i] = glowing(hex(kShops[i]) * 4.0f, paintShop(20 + 7 * i));
-    constexpr std::array<std::string_view, 8> kWords = {"RESTIR", "CAFE", "BAR", "BOOKS", "NOODLE", "TEA", "FRUIT", "PIANO"};
-    constexpr std::array<uint32_t, 8> kNeons = {0xff3fa4, 0x3fd2ff, 0xff5a3c, 0x5dff8f, 0xff3d4f, 0x8f7bff, 0xffb02e, 0x38f0d8};
-    for (size_t i = 0; i < kWords.size(); ++i) m.signs[i] = glowing(hex(kNeons[i]) * 26.0f, paintNeon(kWords[i]));
+    for (uint32_t i = 0; i < 3; ++i) m.shops[i] = glowing(hex(kShops[i]) * 3.0f, paintShop(20 + 7 * i));
+    constexpr std::array<std::string_view, 8> kWords = {"RESTIR", "CAFE", "BAR",   "BOOKS",
+                                                        "NOODLE", "TEA",  "FRUIT", "PIANO"};
+    constexpr std::array<uint32_t, 8> kNeons = {0xff3fa4, 0x3fd2ff, 0xff5a3c, 0x5dff8f,
+                                                0xff3d4f, 0x8f7bff, 0xffb02e, 0x38f0d8};
+    for (size_t i = 0; i < kWords.size(); ++i)
+        m.signs[i] = glowing(hex(kNeons[i]) * 14.0f, paintNeon(kWords[i]));
     constexpr std::array<uint32_t, 4> kLanterns = {0xff5a36, 0xffa53c, 0xffd27a, 0xff3f5e};
-    for (size_t i = 0; i < kLanterns.size(); ++i) m.lanterns[i] = glowing(hex(kLanterns[i]) * 16.0f, paintLantern());
+    for (size_t i = 0; i < kLanterns.size(); ++i)
+        m.lanterns[i] = glowing(hex(kLanterns[i]) * 3.5f, paintLantern());
     constexpr std::array<uint32_t, 6> kBulbs = {0xffc36b, 0xffdca0, 0xff7048, 0x6cc4ff, 0x8dff86, 0xff86d8};
-    for (size_t i = 0; i < kBulbs.size(); ++i) m.bulbs[i] = bare(hex(kBulbs[i]) * 90.0f);
-    m.lamp = bare(hex(0xffd9a6) * 26.0f);
-    m.clock = glowing(hex(0xfff0cf) * 5.0f, paintClock());
-    m.gate = glowing(hex(0xff9a48) * 7.0f, paintGate());
+    for (size_t i = 0; i < kBulbs.size(); ++i) m.bulbs[i] = bare(hex(kBulbs[i]) * 80.0f);
+    m.lamp = bare(hex(0xffce90) * 20.0f);
+    m.clock = glowing(hex(0xfff0cf) * 2.2f, paintClock());
+    m.gate = glowing(hex(0xff9a48) * 3.5f, paintGate());
 }
 
 }   // namespace

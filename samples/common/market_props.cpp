@@ -13,7 +13,8 @@ uint32_t makeLantern(SceneData& scene, const Materials& m, uint32_t color) {
     Parts parts;
     constexpr float kRadius = 0.2f, kHalf = 0.22f;
     addSphere(parts.of(m.lanterns[color]), glm::vec3{0}, {kRadius, kHalf, kRadius}, 10, 6);
-    constexpr std::array<glm::vec2, 4> kCap = {{{0.09f, 0.17f}, {0.09f, 0.23f}, {0.012f, 0.24f}, {0.012f, 0.32f}}};
+    constexpr std::array<glm::vec2, 4> kCap = {
+        {{0.09f, 0.17f}, {0.09f, 0.23f}, {0.012f, 0.24f}, {0.012f, 0.32f}}};
     addLathe(parts.of(m.darkWood), glm::vec3{0}, kCap, 8);
     constexpr std::array<glm::vec2, 4> kFoot = {{{0, -0.24f}, {0.07f, -0.24f}, {0.07f, -0.19f}, {0, -0.19f}}};
     addLathe(parts.of(m.darkWood), glm::vec3{0}, kFoot, 8);
@@ -45,7 +46,8 @@ uint32_t makeFruitCrate(SceneData& scene, const Materials& m, uint32_t fruit) {
             const uint32_t columns = layer ? kColumns - 1 : kColumns;
             const float x = (static_cast<float>(i % columns) - static_cast<float>(columns - 1) / 2) * 0.096f;
             const float z = (static_cast<float>(i / columns) - (layer ? 0.5f : 1.0f)) * 0.108f;
-            const glm::vec3 centre{x + rng.range(-0.008f, 0.008f), 0.12f + 0.075f * static_cast<float>(layer), z};
+            const glm::vec3 centre{x + rng.range(-0.008f, 0.008f), 0.12f + 0.075f * static_cast<float>(layer),
+                                   z};
             const glm::vec3 radii = glm::vec3{0.048f, 0.045f, 0.048f} * rng.range(0.9f, 1.08f);
             addSphere(parts.of(m.fruits[fruit]), centre, radii, 8, 5);
         }
@@ -58,8 +60,10 @@ uint32_t makeStall(SceneData& scene, const Materials& m, uint32_t awning) {
     constexpr float kX = 1.1f, kZ = 0.5f, kTable = 0.82f, kBackTop = 2.55f, kFrontTop = 2.2f, kHem = 0.2f;
     addBox(parts.of(m.wood), {-kX, kTable - 0.05f, -kZ}, {kX, kTable, kZ});
     addBox(parts.of(m.darkWood), {-kX + 0.05f, 0.1f, -kZ + 0.05f}, {kX - 0.05f, kTable - 0.05f, -kZ + 0.08f});
-    addPatch(parts.of(awning % 2 ? m.cloth : m.awnings[awning]),
-             {.origin = {-kX, 0.12f, kZ + 0.01f}, .u = {2 * kX, 0, 0}, .v = {0, kTable - 0.12f, 0}, .uvScale = {1.5f, 1}});
+    addPatch(parts.of(awning % 2 ? m.cloth : m.awnings[awning]), {.origin = {-kX, 0.12f, kZ + 0.01f},
+                                                                  .u = {2 * kX, 0, 0},
+                                                                  .v = {0, kTable - 0.12f, 0},
+                                                                  .uvScale = {1.5f, 1}});
     for (const float x : {-kX, kX - 0.06f}) {
         addBox(parts.of(m.darkWood), {x, 0, -kZ}, {x + 0.06f, kBackTop, -kZ + 0.06f});
         addBox(parts.of(m.darkWood), {x, 0, kZ - 0.06f}, {x + 0.06f, kFrontTop + 0.08f, kZ});
@@ -67,8 +71,10 @@ uint32_t makeStall(SceneData& scene, const Materials& m, uint32_t awning) {
     Geometry& canopy = parts.of(m.awnings[awning]);
     const glm::vec3 width{2 * kX + 0.3f, 0, 0}, front{-kX - 0.15f, kFrontTop, kZ + 0.35f};
     const glm::vec3 slope = glm::vec3{0, kBackTop, -kZ - 0.15f} - glm::vec3{0, front.y, front.z};
-    addPatch(canopy, {.origin = front, .u = width, .v = slope, .columns = 8, .rows = 4, .uvScale = {1.6f, 1}});
-    addPatch(canopy, {.origin = front - glm::vec3{0, kHem, 0}, .u = width, .v = {0, kHem, 0}, .uvScale = {1.6f, 1}});
+    addPatch(canopy,
+             {.origin = front, .u = width, .v = slope, .columns = 8, .rows = 4, .uvScale = {1.6f, 1}});
+    addPatch(canopy,
+             {.origin = front - glm::vec3{0, kHem, 0}, .u = width, .v = {0, kHem, 0}, .uvScale = {1.6f, 1}});
     return parts.addTo(scene);
 }
 
@@ -78,7 +84,8 @@ uint32_t makeBarrel(SceneData& scene, const Materials& m) {
         {{0, 0}, {0.24f, 0}, {0.29f, 0.22f}, {0.31f, 0.42f}, {0.29f, 0.62f}, {0.25f, 0.84f}, {0, 0.84f}}};
     addLathe(parts.of(m.darkWood), glm::vec3{0}, kStaves, 20);
     for (const float y : {0.15f, 0.62f}) {
-        const std::array<glm::vec2, 4> hoop = {{{0.28f, y}, {0.303f, y}, {0.305f, y + 0.06f}, {0.28f, y + 0.06f}}};
+        const std::array<glm::vec2, 4> hoop = {
+            {{0.28f, y}, {0.303f, y}, {0.305f, y + 0.06f}, {0.28f, y + 0.06f}}};
         addLathe(parts.of(m.iron), glm::vec3{0}, hoop, 20);
     }
     return parts.addTo(scene);
@@ -92,25 +99,36 @@ uint32_t makeShrub(SceneData& scene, const Materials& m, uint32_t seed) {
     Rng rng(seed);
     for (uint32_t i = 0; i < 90; ++i) {
         const glm::vec3 outward = rng.direction();
-        const glm::vec3 centre = glm::vec3{0, 0.95f, 0} + outward * glm::vec3{0.36f, 0.5f, 0.36f} * rng.range(0.5f, 1.0f);
-        addCard(parts.of(i % 9 == seed % 9 ? m.flowers : m.foliage), rng, centre, outward, rng.range(0.2f, 0.3f));
+        const glm::vec3 centre =
+            glm::vec3{0, 0.95f, 0} + outward * glm::vec3{0.36f, 0.5f, 0.36f} * rng.range(0.5f, 1.0f);
+        addCard(parts.of(i % 9 == seed % 9 ? m.flowers : m.foliage), rng, centre, outward,
+                rng.range(0.2f, 0.3f));
     }
     return parts.addTo(scene);
 }
 
 uint32_t makeStreetLamp(SceneData& scene, const Materials& m) {
     Parts parts;
-    constexpr std::array<glm::vec2, 9> kPole = {{{0.17f, 0}, {0.17f, 0.25f}, {0.1f, 0.4f}, {0.075f, 0.9f}, {0.1f, 0.95f},
-                                                 {0.055f, 1.05f}, {0.045f, 3.1f}, {0.11f, 3.2f}, {0.13f, 3.24f}}};
+    constexpr std::array<glm::vec2, 9> kPole = {{{0.17f, 0},
+                                                 {0.17f, 0.25f},
+                                                 {0.1f, 0.4f},
+                                                 {0.075f, 0.9f},
+                                                 {0.1f, 0.95f},
+                                                 {0.055f, 1.05f},
+                                                 {0.045f, 3.1f},
+                                                 {0.11f, 3.2f},
+                                                 {0.13f, 3.24f}}};
     addLathe(parts.of(m.iron), glm::vec3{0}, kPole, 14);
     addSphere(parts.of(m.lamp), {0, 3.43f, 0}, {0.19f, 0.21f, 0.19f}, 12, 7);
-    constexpr std::array<glm::vec2, 5> kHat = {{{0.21f, 3.56f}, {0.21f, 3.6f}, {0.07f, 3.72f}, {0.02f, 3.76f}, {0, 3.85f}}};
+    constexpr std::array<glm::vec2, 5> kHat = {
+        {{0.21f, 3.56f}, {0.21f, 3.6f}, {0.07f, 3.72f}, {0.02f, 3.76f}, {0, 3.85f}}};
     addLathe(parts.of(m.iron), glm::vec3{0}, kHat, 14);
     constexpr uint32_t kStays = 4;
     for (uint32_t i = 0; i < kStays; ++i) {
         const float angle = 2 * kPi * static_cast<float>(i) / kStays;
         const glm::vec3 out{std::cos(angle), 0, std::sin(angle)};
-        const std::array<glm::vec3, 3> path = {0.13f * out + glm::vec3{0, 3.22f, 0}, 0.22f * out + glm::vec3{0, 3.42f, 0},
+        const std::array<glm::vec3, 3> path = {0.13f * out + glm::vec3{0, 3.22f, 0},
+                                               0.22f * out + glm::vec3{0, 3.42f, 0},
                                                0.2f * out + glm::vec3{0, 3.58f, 0}};
         addTube(parts.of(m.iron), path, 0.012f, 6);
     }
@@ -125,9 +143,19 @@ struct StallSpot {
 }   // namespace
 
 void addStalls(SceneData& scene, const Materials& m) {
-    constexpr std::array<StallSpot, 13> kSpots = {{{11.6f, true}, {8.3f, false}, {7.2f, true}, {4.6f, false}, {2.6f, true},
-                                                   {-0.6f, false}, {-2.8f, true}, {-6.0f, false}, {-8.6f, true}, {-12.5f, false},
-                                                   {-15.0f, true}, {-20.0f, false}, {-23.5f, true}}};
+    constexpr std::array<StallSpot, 13> kSpots = {{{11.6f, true},
+                                                   {8.3f, false},
+                                                   {7.2f, true},
+                                                   {4.6f, false},
+                                                   {2.6f, true},
+                                                   {-0.6f, false},
+                                                   {-2.8f, true},
+                                                   {-6.0f, false},
+                                                   {-8.6f, true},
+                                                   {-12.5f, false},
+                                                   {-15.0f, true},
+                                                   {-20.0f, false},
+                                                   {-23.5f, true}}};
     std::vector<uint32_t> stalls, crates, lanterns;
     for (uint32_t i = 0; i < m.awnings.size(); ++i) stalls.push_back(makeStall(scene, m, i));
     for (uint32_t i = 0; i < m.fruits.size(); ++i) crates.push_back(makeFruitCrate(scene, m, i));
@@ -142,7 +170,8 @@ void addStalls(SceneData& scene, const Materials& m) {
             const glm::mat4 tilt = glm::rotate(glm::mat4{1}, 0.2f, glm::vec3{1, 0, 0});
             const glm::vec3 at{0.53f * (static_cast<float>(i) - 1.5f), 0.87f, 0.22f};
             addInstance(scene, crates[rng.below(5)], stall * place(at, rng.range(-0.06f, 0.06f)) * tilt);
-            if (i % 2 == s % 2) addInstance(scene, crates[rng.below(5)], stall * place(at + glm::vec3{0, 0.06f, -0.45f}));
+            if (i % 2 == s % 2)
+                addInstance(scene, crates[rng.below(5)], stall * place(at + glm::vec3{0, 0.06f, -0.45f}));
         }
         for (const float side : {-0.55f, 0.55f})
             addInstance(scene, lanterns[(s + (side > 0 ? 1 : 0)) % lanterns.size()],
@@ -172,7 +201,8 @@ void addStringLights(SceneData& scene, const Materials& m) {
     Rng rng(23);
     for (uint32_t s = 0; s < kStrings; ++s) {
         const float z = 13.2f - 3.1f * static_cast<float>(s), slant = s % 2 ? 1.5f : -1.5f;
-        const glm::vec3 a{-kHalfStreet, rng.range(4.7f, 5.9f), z + slant}, b{kHalfStreet, rng.range(4.7f, 5.9f), z - slant};
+        const glm::vec3 a{-kHalfStreet, rng.range(4.7f, 5.9f), z + slant},
+            b{kHalfStreet, rng.range(4.7f, 5.9f), z - slant};
         const std::vector<glm::vec3> wire = hangingWire(a, b, rng.range(0.6f, 0.95f), kBulbsPerString + 1);
         addTube(wires.of(m.iron), wire, 0.009f, 4);
         // A string has one colour or is a medley of all.
@@ -192,14 +222,18 @@ void addClutter(SceneData& scene, const Materials& m) {
     const uint32_t empty = crate.addTo(scene);
     Rng rng(29);
     for (uint32_t i = 0; i < 12; ++i) {
-        const float x = (i % 2 ? 1.0f : -1.0f) * (kHalfStreet - 0.5f), z = 12.4f - 4.1f * static_cast<float>(i);
-        addInstance(scene, shrubs[i % 3 == 0], place({x, kKerb, z}, rng.range(0, 6), rng.range(0.85f, 1.15f)));
+        const float x = (i % 2 ? 1.0f : -1.0f) * (kHalfStreet - 0.5f),
+                    z = 12.4f - 4.1f * static_cast<float>(i);
+        addInstance(scene, shrubs[i % 3 == 0],
+                    place({x, kKerb, z}, rng.range(0, 6), rng.range(0.85f, 1.15f)));
     }
     for (uint32_t i = 0; i < 8; ++i) {
         const float side = i % 2 ? -1.0f : 1.0f, x = side * 2.3f, z = 9.9f - 4.6f * static_cast<float>(i);
         addInstance(scene, barrel, place({x + rng.range(-0.3f, 0.3f), 0, z}, rng.range(0, 6)));
         for (uint32_t layer = 0; layer < 2 + i % 2; ++layer)
-            addInstance(scene, empty, place({-x * 1.05f, 0.175f * static_cast<float>(layer), z + 0.4f}, rng.range(-0.3f, 0.3f)));
+            addInstance(
+                scene, empty,
+                place({-x * 1.05f, 0.175f * static_cast<float>(layer), z + 0.4f}, rng.range(-0.3f, 0.3f)));
     }
 }
 

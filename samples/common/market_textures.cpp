@@ -35,13 +35,15 @@ Stone stoneAt(const glm::vec2& uv) {
     const float edge = std::pow(std::pow(inside.x, 6.0f) + std::pow(inside.y, 6.0f), 1 / 6.0f);
     const float tilt = cellRandom(columnIndex, rowIndex, 6);
     const float dome = smooth(1.0f, 0.72f, edge) * (0.75f + 0.25f * tilt) + 0.1f * (1 - edge);
-    const float pool = smooth(0.54f, 0.63f, fractalNoise(uv, 3, 77));
+    const float pool = smooth(0.5f, 0.58f, fractalNoise(uv, 3, 77));
     const float grain = 0.06f * fractalNoise(uv, 96, 8);
     return {std::clamp(dome + grain, 0.0f, 1.1f), cellRandom(columnIndex, rowIndex, 7), pool};
 }
 
 // The surface seen: water levels out whatever lies below it.
-float surfaceHeight(const Stone& stone) { return glm::mix(stone.height, std::max(stone.height, 0.9f), stone.puddle); }
+float surfaceHeight(const Stone& stone) {
+    return glm::mix(stone.height, std::max(stone.height, 0.9f), stone.puddle);
+}
 
 float segmentDistance(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
     const glm::vec2 along = b - a, offset = p - a;
@@ -52,23 +54,40 @@ float segmentDistance(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b
 // Strokes of a letter on a grid of 3 x 5 points; each digit pair is a point, blanks part the strokes.
 std::string_view strokes(char letter) {
     switch (letter) {
-        case 'A': return "0003142320 0222";
-        case 'B': return "0004142312 0212 12211000";
-        case 'C': return "241403011020";
-        case 'D': return "00041423211000";
-        case 'E': return "24040020 0212";
-        case 'F': return "240400 0212";
-        case 'I': return "1014";
-        case 'K': return "0004 2402 0220";
-        case 'L': return "040020";
-        case 'N': return "00042024";
-        case 'O': return "01031423211001";
-        case 'P': return "000414231202";
-        case 'R': return "000414231202 1220";
-        case 'S': return "241403211000";
-        case 'T': return "0424 1410";
-        case 'U': return "0401102124";
-        default: return "";
+        case 'A':
+            return "0003142320 0222";
+        case 'B':
+            return "0004142312 0212 12211000";
+        case 'C':
+            return "241403011020";
+        case 'D':
+            return "00041423211000";
+        case 'E':
+            return "24040020 0212";
+        case 'F':
+            return "240400 0212";
+        case 'I':
+            return "1014";
+        case 'K':
+            return "0004 2402 0220";
+        case 'L':
+            return "040020";
+        case 'N':
+            return "00042024";
+        case 'O':
+            return "01031423211001";
+        case 'P':
+            return "000414231202";
+        case 'R':
+            return "000414231202 1220";
+        case 'S':
+            return "241403211000";
+        case 'T':
+            return "0424 1410";
+        case 'U':
+            return "0401102124";
+        default:
+            return "";
     }
 }
 
@@ -95,7 +114,8 @@ GroundImages paintCobbles() {
         for (uint32_t x = 0; x < kCobbleSide; ++x)
             stones[y * kCobbleSide + x] = stoneAt((glm::vec2(x, y) + 0.5f) / static_cast<float>(kCobbleSide));
     const auto at = [&](const glm::vec2& uv, uint32_t dx, uint32_t dy) -> const Stone& {
-        const uint32_t x = static_cast<uint32_t>(uv.x * kCobbleSide) + dx, y = static_cast<uint32_t>(uv.y * kCobbleSide) + dy;
+        const uint32_t x = static_cast<uint32_t>(uv.x * kCobbleSide) + dx,
+                       y = static_cast<uint32_t>(uv.y * kCobbleSide) + dy;
         return stones[(y % kCobbleSide) * kCobbleSide + x % kCobbleSide];
     };
     constexpr uint32_t kBack = kCobbleSide - 1;
@@ -151,42 +171,50 @@ Image paintWindow(uint32_t seed) {
         const float side = std::abs(uv.x - 0.5f) * 2;
         const float drawn = 0.45f + 0.35f * cellRandom(seed, 1, 2) + 0.12f * uv.y;
         const float folds = 0.75f + 0.25f * std::sin(uv.x * 60 + static_cast<float>(seed));
-        const float glow = 0.35f + 0.65f * std::exp(-6 * glm::dot(uv - glm::vec2{0.45f, 0.3f}, uv - glm::vec2{0.45f, 0.3f}));
+        const float glow =
+            0.35f + 0.65f * std::exp(-6 * glm::dot(uv - glm::vec2{0.45f, 0.3f}, uv - glm::vec2{0.45f, 0.3f}));
         const float curtain = smooth(drawn - 0.03f, drawn + 0.03f, side);
-        const float plant = smooth(0.05f, -0.02f, uv.y - 1.05f + 0.35f * fractalNoise(uv + 0.1f * static_cast<float>(seed), 6, seed));
-        const float light = glm::mix(glow, 0.4f * folds * glow + 0.12f, curtain) * glm::mix(0.25f, 1.0f, plant);
+        const float plant =
+            smooth(0.05f, -0.02f,
+                   uv.y - 1.05f + 0.35f * fractalNoise(uv + 0.1f * static_cast<float>(seed), 6, seed));
+        const float light =
+            glm::mix(glow, 0.4f * folds * glow + 0.12f, curtain) * glm::mix(0.25f, 1.0f, plant);
         return glm::vec4{glm::mix(glm::vec3{1, 0.86f, 0.7f}, glm::vec3{1, 0.62f, 0.4f}, curtain) * light, 1};
     });
 }
 
-// Shelves of goods before a bright back wall.
+// Shelves of jars and boxes, dark before a back wall with pools of lamplight.
 Image paintShop(uint32_t seed) {
     return paint(256, 160, true, [seed](const glm::vec2& uv) {
-        constexpr float kShelves = 3, kSlots = 14;
-        const auto shelf = static_cast<uint32_t>(uv.y * kShelves), slot = static_cast<uint32_t>(uv.x * kSlots);
+        constexpr float kShelves = 3, kSlots = 18, kLamps = 4;
+        const auto shelf = static_cast<uint32_t>(uv.y * kShelves),
+                   slot = static_cast<uint32_t>(uv.x * kSlots);
         const glm::vec2 in{glm::fract(uv.x * kSlots), glm::fract(uv.y * kShelves)};
-        const float tall = 0.25f + 0.6f * cellRandom(slot, shelf, seed);
-        const bool goods = in.y > 1 - tall && std::abs(in.x - 0.5f) < 0.2f + 0.25f * cellRandom(slot, shelf, seed + 1);
-        const bool board = in.y > 0.94f;
-        const float wall = 0.65f + 0.35f * std::exp(-3 * (uv.y + 0.2f) * (uv.y + 0.2f));
-        if (board) return gray(0.08f);
-        if (!goods) return glm::vec4{glm::vec3{1, 0.85f, 0.62f} * wall, 1};
-        const glm::vec3 tint{cellRandom(slot, shelf, 3), cellRandom(slot, shelf, 4), cellRandom(slot, shelf, 5)};
-        return glm::vec4{glm::mix(glm::vec3{0.3f, 0.16f, 0.06f}, tint * tint, 0.6f) * 0.5f, 1};
+        const glm::vec2 lamp{(glm::fract(uv.x * kLamps) - 0.5f) / kLamps * 2.5f, uv.y - 0.1f};
+        const float wall = 0.18f + 0.82f * std::exp(-7 * glm::dot(lamp, lamp));
+        if (in.y > 0.93f) return gray(0.06f);
+        const float above = in.y - 1 + 0.2f + 0.5f * cellRandom(slot, shelf, seed);
+        const float neck = above < 0.16f && cellRandom(slot, shelf, 9) < 0.6f ? 0.12f : 0.36f;
+        if (above < 0 || std::abs(in.x - 0.5f) > neck) return glm::vec4{glm::vec3{1, 0.82f, 0.58f} * wall, 1};
+        const glm::vec3 tint{cellRandom(slot, shelf, 3), cellRandom(slot, shelf, 4),
+                             cellRandom(slot, shelf, 5)};
+        return glm::vec4{glm::mix(glm::vec3{0.35f, 0.18f, 0.07f}, tint, 0.35f) * (0.1f + 0.3f * wall), 1};
     });
 }
 
 Image paintNeon(std::string_view word) {
     constexpr float kAdvance = 3, kMargin = 1.1f;
-    const float width = kAdvance * static_cast<float>(word.size()) - 1 + 2 * kMargin, height = 4 + 2 * kMargin;
+    const float width = kAdvance * static_cast<float>(word.size()) - 1 + 2 * kMargin,
+                height = 4 + 2 * kMargin;
     return paint(384, 128, true, [&](const glm::vec2& uv) {
         const glm::vec2 p{uv.x * width - kMargin, (1 - uv.y) * height - kMargin};
         float distance = 1e3f;
         for (size_t i = 0; i < word.size(); ++i)
-            distance = std::min(distance, letterDistance(strokes(word[i]), p - glm::vec2{kAdvance * static_cast<float>(i), 0}));
+            distance = std::min(distance, letterDistance(strokes(word[i]),
+                                                         p - glm::vec2{kAdvance * static_cast<float>(i), 0}));
         const glm::vec2 edge = glm::min(p + 0.75f, glm::vec2{width - kMargin, height - kMargin} - 0.35f - p);
         distance = std::min(distance, std::abs(std::min(edge.x, edge.y)) + 0.05f);
-        return gray(smooth(0.24f, 0.1f, distance) + 0.16f * std::exp(-2.2f * distance));
+        return gray(smooth(0.24f, 0.1f, distance) + 0.05f * std::exp(-2.5f * distance));
     });
 }
 
@@ -196,7 +224,8 @@ Image paintClock() {
         const float radius = glm::length(p), angle = std::atan2(p.x, p.y) / (2 * kPi);
         const float mark = std::abs(glm::fract(angle * 12 + 0.5f) - 0.5f) * radius;
         const bool dial = radius > 0.72f && radius < 0.88f && mark < 0.2f;
-        const bool hands = segmentDistance(p, {0, 0}, {-0.36f, 0.28f}) < 0.05f || segmentDistance(p, {0, 0}, {0.3f, 0.62f}) < 0.03f;
+        const bool hands = segmentDistance(p, {0, 0}, {-0.36f, 0.28f}) < 0.05f ||
+                           segmentDistance(p, {0, 0}, {0.3f, 0.62f}) < 0.03f;
         if (radius > 0.97f) return gray(0);
         return gray(dial || hands || radius > 0.93f ? 0.02f : 1 - 0.25f * radius);
     });
@@ -223,10 +252,12 @@ Image paintFoliage(const glm::vec3& leaf, const glm::vec3& tip) {
     return paint(128, 128, true, [&](const glm::vec2& uv) {
         glm::vec4 color{leaf, 0};
         for (uint32_t i = 0; i < kLeaves; ++i) {
-            const glm::vec2 centre{0.14f + 0.72f * cellRandom(i, 0, 41), 0.14f + 0.72f * cellRandom(i, 1, 41)};
+            const glm::vec2 centre{0.14f + 0.72f * cellRandom(i, 0, 41),
+                                   0.14f + 0.72f * cellRandom(i, 1, 41)};
             const float turn = 2 * kPi * cellRandom(i, 2, 41);
             const glm::vec2 d = uv - centre;
-            const glm::vec2 local{d.x * std::cos(turn) + d.y * std::sin(turn), d.y * std::cos(turn) - d.x * std::sin(turn)};
+            const glm::vec2 local{d.x * std::cos(turn) + d.y * std::sin(turn),
+                                  d.y * std::cos(turn) - d.x * std::sin(turn)};
             const float inside = glm::length(local / glm::vec2{0.12f, 0.055f});
             if (inside > 1) continue;
             const float vein = std::abs(local.y) < 0.006f ? 0.7f : 1.0f;

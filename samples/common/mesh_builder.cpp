@@ -117,7 +117,8 @@ void addLathe(Geometry& out, const glm::vec3& centre, std::span<const glm::vec2>
     }
 }
 
-void addSphere(Geometry& out, const glm::vec3& centre, const glm::vec3& radii, uint32_t slices, uint32_t stacks) {
+void addSphere(Geometry& out, const glm::vec3& centre, const glm::vec3& radii, uint32_t slices,
+               uint32_t stacks) {
     std::vector<glm::vec2> profile;
     for (uint32_t i = 0; i <= stacks; ++i) {
         const float angle = kPi * static_cast<float>(i) / static_cast<float>(stacks);

@@ -42,7 +42,8 @@ void addBox(Geometry& out, const glm::mat4& transform, const glm::vec3& lo, cons
 
 // Surface of revolution about +y through `centre`; `profile` holds (radius, height) from bottom to top.
 void addLathe(Geometry& out, const glm::vec3& centre, std::span<const glm::vec2> profile, uint32_t sides);
-void addSphere(Geometry& out, const glm::vec3& centre, const glm::vec3& radii, uint32_t slices, uint32_t stacks);
+void addSphere(Geometry& out, const glm::vec3& centre, const glm::vec3& radii, uint32_t slices,
+               uint32_t stacks);
 // A tube along a path, open at its ends.
 void addTube(Geometry& out, std::span<const glm::vec3> path, float radius, uint32_t sides);
 // 8 triangles with flat normals.

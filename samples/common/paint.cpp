@@ -33,7 +33,8 @@ float noise(glm::vec2 p, uint32_t period, uint32_t seed) {
         const uint32_t x = wrap(cell.x + static_cast<float>(dx)), y = wrap(cell.y + static_cast<float>(dy));
         return static_cast<float>(hash(x + hash(y + hash(seed))) >> 8) * 0x1p-24f;
     };
-    return glm::mix(glm::mix(corner(0, 0), corner(1, 0), t.x), glm::mix(corner(0, 1), corner(1, 1), t.x), t.y);
+    return glm::mix(glm::mix(corner(0, 0), corner(1, 0), t.x), glm::mix(corner(0, 1), corner(1, 1), t.x),
+                    t.y);
 }
 
 float fractalNoise(glm::vec2 uv, uint32_t period, uint32_t seed) {

@@ -69,12 +69,17 @@ void Renderer::record(VkCommandBuffer cmd, const Frame& frame, restir::Settings 
 }
 
 void Renderer::collect(const Frame& frame) {
+    auto next = stats_.passes.begin();   // a pass that the first frames do without still gets its place in order
     for (const restir::PassTiming& timing : session_.timings(frame.slot)) {
         const auto same = [&](const PassStats& pass) { return pass.name == timing.name; };
         auto pass = std::find_if(stats_.passes.begin(), stats_.passes.end(), same);
-        if (pass == stats_.passes.end()) pass = stats_.passes.insert(pass, {timing.name, {}});
-        pass->milliseconds.resize(frame.index + size_t{1});
-        pass->milliseconds[frame.index] += timing.milliseconds;
+        if (pass == stats_.passes.end()) {
+            pass = stats_.passes.insert(next, {timing.name, frame.index, {}});
+        }
+        const size_t at = frame.index - pass->firstFrame;
+        pass->milliseconds.resize(at + 1);
+        pass->milliseconds[at] += timing.milliseconds;
+        next = pass + 1;
     }
     if (frame.last) stats_.counters = session_.counters(frame.slot);
 }

@@ -14,7 +14,8 @@ namespace samples {
 
 struct PassStats {
     std::string name;
-    std::vector<double> milliseconds;   // GPU time in each frame; passes of one name are added up
+    uint32_t firstFrame = 0;            // that had it: temporal reuse starts with the second
+    std::vector<double> milliseconds;   // GPU time in each frame from there; passes of one name are added up
 };
 
 struct RenderStats {

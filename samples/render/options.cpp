@@ -1,0 +1,202 @@
+#include "render/options.h"
+
+#include <array>
+#include <charconv>
+#include <map>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include <restir/version.h>
+
+namespace render {
+namespace {
+
+constexpr uint32_t kLargestSide = 16384;
+constexpr uint32_t kSettlingFrames = 16;   // of temporal reuse, near enough to its default history
+
+#define RENDER_TEXT_OF(x) #x
+#define RENDER_TEXT(x) RENDER_TEXT_OF(x)
+constexpr const char* kVersion = RENDER_TEXT(RESTIR_VERSION_MAJOR) "." RENDER_TEXT(
+    RESTIR_VERSION_MINOR) "." RENDER_TEXT(RESTIR_VERSION_PATCH);
+
+// Numbers with a separator between them and nothing else.
+template <class T, size_t Count>
+std::array<T, Count> parseList(const std::string& text, char separator, const char* option, const char* form) {
+    std::array<T, Count> values{};
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (size_t i = 0; i < Count; ++i) {
+        const auto [rest, error] = std::from_chars(at, end, values[i]);
+        const bool lastOne = i + 1 == Count;
+        if (error != std::errc{} || (lastOne ? rest != end : rest == end || *rest != separator)) {
+            throw std::runtime_error(std::string(option) + ": expected " + form + ", not '" + text + "'");
+        }
+        at = lastOne ? rest : rest + 1;
+    }
+    return values;
+}
+
+std::optional<glm::vec3> parsePoint(const std::string& text, const char* option) {
+    if (text.empty()) return std::nullopt;
+    const auto values = parseList<float, 3>(text, ',', option, "X,Y,Z");
+    return glm::vec3(values[0], values[1], values[2]);
+}
+
+struct Texts {
+    std::string size, eye, target, environment, nextEvent;
+    bool noTemporal = false, noSpatial = false;
+};
+
+const std::map<std::string, Mode> kModes = {
+    {"reference", Mode::Reference}, {"nee", Mode::NextEvent}, {"ris", Mode::Ris}, {"di", Mode::Di}};
+const std::map<std::string, restir::Weights> kWeights = {{"off", restir::Weights::Off},
+                                                         {"basic", restir::Weights::Basic},
+                                                         {"balance", restir::Weights::Balance},
+                                                         {"pairwise", restir::Weights::Pairwise}};
+const std::map<std::string, restir::VisibilityReuse> kVisibility = {{"none", restir::VisibilityReuse::None},
+                                                                    {"cached", restir::VisibilityReuse::Cached},
+                                                                    {"traced", restir::VisibilityReuse::Traced}};
+
+// An option whose value is one of a map's keys.
+template <class T>
+void addChoice(CLI::App& app, const char* name, T& value, const std::map<std::string, T>& choices, const char* help) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const auto& [key, unused] : choices) {
+        names.push_back(key);
+        list += (list.empty() ? "" : "|") + key;
+    }
+    app.add_option_function<std::string>(
+           name,
+           [&value, &choices, name, list](const std::string& text) {
+               const auto found = choices.find(text);
+               if (found == choices.end()) {
+                   throw std::runtime_error(std::string(name) + ": '" + text + "' is none of " + list);
+               }
+               value = found->second;
+           },
+           help)
+        ->type_name(list);
+}
+
+void addPicture(CLI::App& app, Options& options, Texts& texts) {
+    app.add_option("scene", options.scene, "a .gltf or .glb file, or builtin:cornell, builtin:market, builtin:street")
+        ->required()
+        ->type_name("SCENE");
+    app.add_option("--size", texts.size, "picture size in pixels (640x360)")->type_name("WxH");
+    app.add_option("--frames", options.frames, "frames to render (di: 16, else 1)")->check(CLI::Range(1u, 1u << 24));
+    app.add_flag("--accumulate", options.accumulate, "write the mean of all frames, jittered; else the last frame");
+    app.add_option("--seed", options.seed, "of all random numbers");
+    app.add_option("--move", options.move, "orbit the target by so many degrees a frame")->type_name("DEG");
+    auto* camera = app.add_option("--camera", options.camera, "one of the scene's cameras");
+    camera->type_name("INDEX");
+    app.add_option("--eye", texts.eye, "camera position")->type_name("X,Y,Z")->excludes(camera);
+    app.add_option("--target", texts.target, "what the camera looks at")->type_name("X,Y,Z")->excludes(camera);
+    app.add_option("--fov", options.fov, "vertical field of view (45)")->type_name("DEG")->excludes(camera);
+    app.add_flag("--lambert", options.lambert, "make every material a diffuse one of its base colour");
+    app.add_option("--env", texts.environment, "environment map")->type_name("FILE.hdr");
+    app.add_option("--out", options.exr, "linear picture")->type_name("FILE.exr");
+    app.add_option("--png", options.png, "tone-mapped picture")->type_name("FILE.png");
+    app.add_option("--stats", options.stats, "times, rays and memory")->type_name("FILE.json");
+    app.add_flag("--validate", options.validate, "run under the validation layer; its messages fail the run");
+    app.add_flag("--quiet", options.quiet, "print errors only");
+}
+
+void addEstimator(CLI::App& app, Options& options, Texts& texts) {
+    addChoice(app, "--mode", options.mode, kModes, "estimator (di)");
+    app.add_option("--spp", options.spp, "reference: paths, nee: lights, per pixel and frame")->check(CLI::Range(1u, 65536u));
+    app.add_option("--bounces", options.bounces, "reference: scattering events (1)")->check(CLI::Range(0u, 64u));
+    addChoice(app, "--weights", options.di.weights, kWeights, "resampling weights (pairwise)");
+    addChoice(app, "--visibility", options.di.visibility, kVisibility, "visibility in reuse (traced)");
+    app.add_option("--candidates", options.di.lightCandidates, "light candidates per pixel (16)");
+    app.add_option("--bsdf-candidates", options.di.bsdfCandidates, "BSDF candidates per pixel (1)");
+    app.add_option("--neighbours", options.di.neighbours, "of spatial reuse (5)");
+    app.add_option("--radius", options.di.radius, "of spatial reuse (30)")->type_name("PX");
+    app.add_option("--max-history", options.di.maxHistory, "frames that temporal reuse may stand for (20)");
+    app.add_flag("--no-temporal", texts.noTemporal, "no temporal reuse");
+    app.add_flag("--no-spatial", texts.noSpatial, "no spatial reuse");
+    // For checking the reference itself.
+    app.add_option("--reference-nee", texts.nextEvent)->check(CLI::IsMember({"on", "off"}))->group("");
+}
+
+void applySize(Options& options, const std::string& text) {
+    if (text.empty()) return;
+    const auto size = parseList<uint32_t, 2>(text, 'x', "--size", "WxH");
+    for (uint32_t side : size) {
+        if (side >= 1 && side <= kLargestSide) continue;
+        throw std::runtime_error("--size: '" + text + "' has a side outside [1, " + std::to_string(kLargestSide) + "]");
+    }
+    options.size = {size[0], size[1]};
+}
+
+void applyMode(Options& options, const Texts& texts) {
+    for (const auto& [name, mode] : kModes) {
+        if (mode == options.mode) options.modeName = name;
+    }
+    if (texts.noTemporal || options.mode == Mode::Ris) options.di.temporal = false;
+    if (texts.noSpatial || options.mode == Mode::Ris) options.di.spatialPasses = 0;
+    if (options.mode == Mode::NextEvent) {
+        options.di.mode = restir::DirectMode::NextEvent;
+        options.di.lightCandidates = options.spp;
+    }
+    if (options.mode != Mode::Reference && options.bounces != 1) {
+        throw std::runtime_error("--bounces: only --mode reference follows light further than one bounce");
+    }
+    if (options.frames == 0) options.frames = options.mode == Mode::Di ? kSettlingFrames : 1;
+}
+
+void applyCamera(Options& options, const Texts& texts) {
+    options.eye = parsePoint(texts.eye, "--eye");
+    options.target = parsePoint(texts.target, "--target");
+    if (options.eye.has_value() != options.target.has_value()) {
+        throw std::runtime_error("--eye and --target need one another");
+    }
+    if (options.eye && *options.eye == *options.target) throw std::runtime_error("--eye and --target are the same point");
+    if (!(options.fov > 0 && options.fov < 179)) throw std::runtime_error("--fov: outside (0, 179) degrees");
+}
+
+}   // namespace
+
+std::optional<Options> parseOptions(int argc, const char* const* argv) {
+    CLI::App app("Renders a scene with many lights by ReSTIR.", "restir-render");
+    app.set_version_flag("--version", kVersion);
+    Options options;
+    Texts texts;
+    addPicture(app, options, texts);
+    addEstimator(app, options, texts);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answer) {
+        app.exit(answer);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw std::runtime_error(error.what());
+    }
+    if (!texts.environment.empty()) throw std::runtime_error("--env: environment lights are not supported yet");
+    options.referenceNextEvent = texts.nextEvent != "off";
+    applySize(options, texts.size);
+    applyMode(options, texts);
+    applyCamera(options, texts);
+    return options;
+}
+
+samples::View chooseView(const Options& options, const samples::SceneData& scene) {
+    samples::View view;
+    if (options.eye) {
+        view.eye = *options.eye;
+        view.target = *options.target;
+        view.verticalFov = glm::radians(options.fov);
+        return view;
+    }
+    if (options.camera) {
+        if (*options.camera >= scene.views.size()) {
+            throw std::runtime_error("--camera: " + std::to_string(*options.camera) + ", but the scene has " +
+                                     std::to_string(scene.views.size()) + " cameras, counted from 0");
+        }
+        return scene.views[*options.camera];
+    }
+    return scene.views.empty() ? samples::frameScene(scene) : scene.views.front();
+}
+
+}   // namespace render

@@ -1,0 +1,47 @@
+// The command line of restir-render.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <vulkan/vulkan_core.h>
+
+#include <restir/settings.h>
+
+#include "common/scene.h"
+
+namespace render {
+
+enum class Mode : uint8_t { Reference, NextEvent, Ris, Di };
+
+struct Options {
+    std::string scene;
+    VkExtent2D size{640, 360};
+    Mode mode = Mode::Di;
+    std::string modeName = "di";
+    uint32_t frames = 0;   // 0: as many as the mode needs to settle
+    uint32_t spp = 1;
+    uint32_t bounces = 1;
+    restir::DiSettings di;
+    bool accumulate = false;
+    bool lambert = false;
+    bool validate = false;
+    bool quiet = false;
+    bool referenceNextEvent = true;
+    uint32_t seed = 0;
+    float move = 0;   // degrees a frame
+    std::optional<uint32_t> camera;
+    std::optional<glm::vec3> eye, target;
+    float fov = 45;   // degrees, vertical; with eye and target
+    std::string exr, png, stats;
+};
+
+// Nothing after --help or --version, which are answered here. Throws std::runtime_error for anything that cannot
+// be done.
+std::optional<Options> parseOptions(int argc, const char* const* argv);
+
+// The view to render: the options' camera, else the scene's first, else one that frames the scene.
+samples::View chooseView(const Options& options, const samples::SceneData& scene);
+
+}   // namespace render

@@ -1,0 +1,108 @@
+#include "render/render.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "common/reference.h"
+#include "common/renderer.h"
+
+namespace render {
+namespace {
+
+samples::SceneData load(const Options& options) {
+    std::vector<std::string> warnings;
+    samples::SceneData scene = samples::loadScene(options.scene, warnings);
+    for (const std::string& warning : warnings) {
+        if (!options.quiet) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    }
+    if (options.lambert) samples::makeLambert(scene);
+    return scene;
+}
+
+samples::FloatImage renderReference(const Options& options, const samples::Device& device,
+                                    const samples::GpuScene& scene, const samples::Sequence& sequence, Report& report) {
+    samples::Reference reference(device, scene, options.size);
+    const samples::ReferenceSettings settings{
+        .paths = options.spp, .bounces = options.bounces, .nextEvent = options.referenceNextEvent};
+    samples::FloatImage image = reference.render(sequence, settings, Progress(options.quiet));
+    report.raysPerFrame = reference.raysPerFrame();
+    return image;
+}
+
+samples::FloatImage renderSdk(const Options& options, samples::Device& device, const samples::GpuScene& scene,
+                              const samples::Sequence& sequence, Report& report) {
+    samples::Renderer renderer(device, scene, options.size);
+    restir::Settings settings;
+    settings.di = options.di;
+    samples::FloatImage image = renderer.render(sequence, settings, Progress(options.quiet));
+    report.passes = renderer.stats().passes;
+    report.raysPerFrame = renderer.stats().counters.rays;
+    report.rejectedWeights = renderer.stats().counters.rejectedWeights;
+    report.buffers = renderer.memory();
+    return image;
+}
+
+void writeText(const std::string& path, const std::string& text) {
+    const std::string temporary = path + ".part";
+    std::ofstream file(temporary, std::ios::binary);
+    file << text;
+    file.close();
+    std::error_code error;
+    if (file) std::filesystem::rename(temporary, path, error);
+    if (!file || error) {
+        std::filesystem::remove(temporary, error);
+        throw std::runtime_error(path + ": cannot be written");
+    }
+}
+
+}   // namespace
+
+Outcome render(const Options& options) {
+    samples::SceneData data = load(options);
+    const samples::Sequence sequence{.view = chooseView(options, data),
+                                     .frames = options.frames,
+                                     .seed = options.seed,
+                                     .accumulate = options.accumulate,
+                                     .orbitDegrees = options.move};
+    samples::Device device({.validate = options.validate});
+    Outcome outcome;
+    Report& report = outcome.report;
+    report.device = device.properties().deviceName;
+    report.driver = device.driver();
+    {
+        const samples::GpuScene scene(device, std::move(data));
+        report.triangles = scene.triangleCount();
+        report.emissiveTriangles = scene.emissiveTriangleCount();
+        report.lights = scene.lights().size();
+        const auto start = std::chrono::steady_clock::now();
+        const bool reference = options.mode == Mode::Reference;
+        outcome.image = reference ? renderReference(options, device, scene, sequence, report)
+                                  : renderSdk(options, device, scene, sequence, report);
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    report.validationMessages = device.validationMessages();
+    return outcome;
+}
+
+void writeFiles(const Options& options, const Outcome& outcome) {
+    std::vector<std::string> written;
+    const auto write = [&](const std::string& path, const auto& writer) {
+        if (path.empty()) return;
+        writer(path);
+        written.push_back(path);
+    };
+    try {
+        write(options.exr, [&](const std::string& path) { samples::writeExr(path, outcome.image); });
+        write(options.png, [&](const std::string& path) { samples::writePng(path, outcome.image); });
+        write(options.stats, [&](const std::string& path) { writeText(path, toJson(options, outcome.report)); });
+    } catch (...) {
+        std::error_code ignored;
+        for (const std::string& path : written) std::filesystem::remove(path, ignored);
+        throw;
+    }
+}
+
+}   // namespace render

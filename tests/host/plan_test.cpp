@@ -1,0 +1,233 @@
+#include <frame/plan.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace restir;
+
+constexpr VkExtent2D kExtent{321, 180};
+
+Settings settingsOf(bool temporal, uint32_t spatialPasses, VisibilityReuse visibility) {
+    Settings settings;
+    settings.di.temporal = temporal;
+    settings.di.spatialPasses = spatialPasses;
+    settings.di.visibility = visibility;
+    return settings;
+}
+
+std::vector<Settings> allSettings() {
+    std::vector<Settings> all;
+    for (bool temporal : {false, true})
+        for (uint32_t spatial = 0; spatial <= 3; ++spatial)
+            for (auto visibility : {VisibilityReuse::None, VisibilityReuse::Cached, VisibilityReuse::Traced})
+                all.push_back(settingsOf(temporal, spatial, visibility));
+    all.push_back({.di = {.mode = DirectMode::NextEvent}});
+    return all;
+}
+
+std::vector<Plan> allPlans() {
+    std::vector<Plan> plans;
+    for (const Settings& settings : allSettings())
+        for (bool history : {false, true})
+            for (uint32_t in : {0u, 1u}) plans.push_back(makePlan({kExtent, history, in}, settings));
+    return plans;
+}
+
+std::vector<std::string> names(const Plan& plan) {
+    std::vector<std::string> result;
+    for (const PassInfo& pass : plan.passes) result.emplace_back(pass.name);
+    return result;
+}
+
+bool writes(Access access) { return access != Access::Read; }
+
+// Whether the two passes touch a resource that one of them writes.
+bool dependent(const PassInfo& a, const PassInfo& b) {
+    for (const auto& x : a.uses())
+        for (const auto& y : b.uses())
+            if (x.resource == y.resource && (writes(x.access) || writes(y.access))) return true;
+    return false;
+}
+
+// Which passes record() puts a barrier before.
+std::vector<bool> barriersOf(const Plan& plan) {
+    std::vector<bool> barriers;
+    Hazards hazards;
+    for (const PassInfo& pass : plan.passes) {
+        barriers.push_back(hazards.conflicts(pass));
+        if (barriers.back()) hazards = {};
+        hazards.add(pass);
+    }
+    return barriers;
+}
+
+bool uses(const PassInfo& pass, Resource resource, bool writing) {
+    for (const auto& use : pass.uses())
+        if (use.resource == resource && (writing ? writes(use.access) : use.access != Access::Write)) return true;
+    return false;
+}
+
+Resource reservoirBuffer(uint32_t i) { return i == 0 ? Resource::ReservoirsA : Resource::ReservoirsB; }
+
+TEST(Plan, OrderOfStages) {
+    using Names = std::vector<std::string>;
+    const auto order = [](bool history, const Settings& s) { return names(makePlan({kExtent, history, 0}, s)); };
+    EXPECT_EQ(order(true, {}), (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
+    EXPECT_EQ(order(false, {}), (Names{"surface.pack", "di.candidates", "di.spatial", "di.shade"}));
+    EXPECT_EQ(order(true, settingsOf(false, 0, VisibilityReuse::None)),
+              (Names{"surface.pack", "di.candidates", "di.shade"}));
+    EXPECT_EQ(order(true, settingsOf(true, 2, VisibilityReuse::Traced)),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial", "di.shade"}));
+    EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent}}), (Names{"surface.pack", "di.next_event"}));
+}
+
+TEST(Plan, GroupsCoverTheExtent) {
+    for (const PassInfo& pass : makePlan({kExtent, true, 0}, {}).passes) {
+        EXPECT_EQ(pass.groups[0], 41u);
+        EXPECT_EQ(pass.groups[1], 23u);
+        EXPECT_EQ(pass.groups[2], 1u);
+    }
+}
+
+TEST(Plan, SpatialPassesAreNumbered) {
+    uint32_t next = 0;
+    for (const PassInfo& pass : makePlan({kExtent, true, 0}, settingsOf(true, 3, VisibilityReuse::Traced)).passes) {
+        if (std::string(pass.name) != "di.spatial") continue;
+        EXPECT_EQ(pass.index, next++);
+    }
+    EXPECT_EQ(next, 3u);
+}
+
+// What one pass declares is what its reservoir indices say, and neighbours come from a snapshot.
+TEST(Plan, PassesReadNeighboursOnlyInBuffersTheyDoNotWrite) {
+    for (const Plan& plan : allPlans()) {
+        for (const PassInfo& pass : plan.passes) {
+            const std::string name = pass.name;
+            if (name != "di.temporal" && name != "di.spatial") continue;
+            EXPECT_NE(pass.source, pass.target) << name;
+            EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false)) << name;
+            EXPECT_FALSE(uses(pass, reservoirBuffer(pass.source), true)) << name;
+            EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target), true)) << name;
+            EXPECT_EQ(uses(pass, reservoirBuffer(pass.target), false), name == "di.temporal") << name;
+        }
+    }
+}
+
+TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
+    for (const Plan& plan : allPlans()) {
+        int latest = -1;   // the reservoir buffer written last in this frame
+        for (const PassInfo& pass : plan.passes) {
+            const std::string name = pass.name;
+            if (name == "di.candidates") {
+                EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target), true));
+            } else if (name == "di.temporal") {
+                EXPECT_EQ(static_cast<int>(pass.target), latest);
+            } else if (name == "di.spatial") {
+                EXPECT_EQ(static_cast<int>(pass.source), latest);
+            } else if (name == "di.shade") {
+                EXPECT_EQ(static_cast<int>(pass.source), latest);
+                EXPECT_EQ(static_cast<int>(pass.target), latest);
+                EXPECT_EQ(plan.historyOut, pass.source);
+                EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false));
+            }
+            if (name.starts_with("di.") && name != "di.next_event") latest = static_cast<int>(pass.target);
+        }
+    }
+}
+
+TEST(Plan, HistoryIsReadWhereTheLastFrameLeftItAndBeforeItIsOverwritten) {
+    for (const Settings& settings : allSettings()) {
+        uint32_t history = 0;
+        for (int frame = 0; frame < 6; ++frame) {
+            const Plan plan = makePlan({kExtent, frame > 0, history}, settings);
+            bool overwritten = false, read = false;
+            for (const PassInfo& pass : plan.passes) {
+                if (std::string(pass.name) == "di.temporal") {
+                    EXPECT_EQ(pass.source, history);
+                    EXPECT_FALSE(overwritten);
+                    EXPECT_TRUE(uses(pass, Resource::PreviousSurfaces, false));
+                    read = true;
+                }
+                overwritten |= uses(pass, reservoirBuffer(history), true);
+            }
+            EXPECT_EQ(read, settings.di.mode == DirectMode::Restir && settings.di.temporal && frame > 0);
+            history = plan.historyOut;
+            ASSERT_LT(history, 2u);
+        }
+    }
+}
+
+TEST(Plan, NextEventLeavesReservoirsAlone) {
+    for (uint32_t in : {0u, 1u}) {
+        const Plan plan = makePlan({kExtent, true, in}, {.di = {.mode = DirectMode::NextEvent}});
+        EXPECT_EQ(plan.historyOut, in);
+        for (const PassInfo& pass : plan.passes)
+            for (uint32_t buffer : {0u, 1u}) EXPECT_FALSE(uses(pass, reservoirBuffer(buffer), true)) << pass.name;
+    }
+}
+
+TEST(Plan, BarriersSeparateEveryDependentPair) {
+    for (const Plan& plan : allPlans()) {
+        const std::vector<bool> barriers = barriersOf(plan);
+        for (size_t j = 0; j < plan.passes.size(); ++j) {
+            for (size_t i = 0; i < j; ++i) {
+                if (!dependent(plan.passes[i], plan.passes[j])) continue;
+                const auto first = barriers.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+                const auto last = barriers.begin() + static_cast<std::ptrdiff_t>(j) + 1;
+                EXPECT_TRUE(std::any_of(first, last, [](bool b) { return b; }))
+                    << plan.passes[i].name << " -> " << plan.passes[j].name;
+            }
+        }
+    }
+}
+
+TEST(Plan, NoBarrierIsNeedless) {
+    for (const Plan& plan : allPlans()) {
+        const std::vector<bool> barriers = barriersOf(plan);
+        EXPECT_FALSE(barriers[0]) << "record() starts with one of its own";
+        size_t since = 0;
+        for (size_t j = 0; j < plan.passes.size(); ++j) {
+            if (!barriers[j]) continue;
+            bool needed = false;
+            for (size_t i = since; i < j; ++i) needed |= dependent(plan.passes[i], plan.passes[j]);
+            EXPECT_TRUE(needed) << "before " << plan.passes[j].name;
+            since = j;
+        }
+    }
+}
+
+// The three kinds of dependence one by one, and reads beside reads.
+TEST(Hazards, KindsOfDependence) {
+    const auto pass = [](Access access) {
+        PassInfo info;
+        info.useList[0] = {Resource::Surfaces, access};
+        info.useCount = 1;
+        return info;
+    };
+    for (Access before : {Access::Read, Access::Write, Access::ReadWrite}) {
+        for (Access after : {Access::Read, Access::Write, Access::ReadWrite}) {
+            Hazards hazards;
+            hazards.add(pass(before));
+            EXPECT_EQ(hazards.conflicts(pass(after)), writes(before) || writes(after));
+        }
+    }
+}
+
+TEST(Hazards, ResourcesAreIndependent) {
+    PassInfo a, b;
+    a.useList[0] = {Resource::ReservoirsA, Access::Write};
+    b.useList[0] = {Resource::ReservoirsB, Access::ReadWrite};
+    a.useCount = b.useCount = 1;
+    Hazards hazards;
+    EXPECT_FALSE(hazards.conflicts(a));
+    hazards.add(a);
+    EXPECT_FALSE(hazards.conflicts(b));
+}
+
+}   // namespace

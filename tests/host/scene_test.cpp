@@ -1,0 +1,223 @@
+// Loading scenes: what the built-in ones hold, and that every mistake is one clear error.
+#include "common/scene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "common/scene_lights.h"
+#include "common/sort_triangles.h"
+
+namespace {
+
+using samples::SceneData;
+
+SceneData load(const std::string& name) {
+    std::vector<std::string> warnings;
+    return samples::loadScene(name, warnings);
+}
+
+// What loading says went wrong; empty if nothing did.
+std::string errorOf(const std::string& name) {
+    try {
+        load(name);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+void expectError(const std::string& name, const std::string& word) {
+    const std::string error = errorOf(name);
+    EXPECT_NE(error.find(word), std::string::npos) << name << " said: '" << error << "', without " << word;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+}
+
+struct Counts {
+    uint64_t triangles = 0, emissive = 0;
+};
+
+Counts countOf(const SceneData& scene) {
+    Counts counts;
+    for (const samples::Instance& instance : scene.instances) {
+        for (const samples::Geometry& geometry : scene.meshes[instance.mesh].geometries) {
+            const auto& e = scene.materials[geometry.material].emission;
+            counts.triangles += geometry.indices.size() / 3;
+            if (e.x + e.y + e.z > 0) counts.emissive += geometry.indices.size() / 3;
+        }
+    }
+    return counts;
+}
+
+// Indices within range: what GpuScene and the shaders rely on.
+void expectSound(const SceneData& scene) {
+    for (const samples::Instance& instance : scene.instances) ASSERT_LT(instance.mesh, scene.meshes.size());
+    for (const samples::Mesh& mesh : scene.meshes) {
+        for (const samples::Geometry& geometry : mesh.geometries) {
+            ASSERT_LT(geometry.material, scene.materials.size());
+            ASSERT_EQ(geometry.indices.size() % 3, 0u);
+            for (uint32_t index : geometry.indices) ASSERT_LT(index, geometry.positions.size());
+            ASSERT_TRUE(geometry.normals.empty() || geometry.normals.size() == geometry.positions.size());
+            ASSERT_TRUE(geometry.uvs.empty() || geometry.uvs.size() == geometry.positions.size());
+        }
+    }
+    for (const auto& material : scene.materials)
+        for (uint32_t texture : {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
+                                 material.emissionTexture})
+            ASSERT_TRUE(texture == RS_NO_TEXTURE || texture < scene.textures.size());
+    for (const auto& texture : scene.textures) ASSERT_LT(texture.image, scene.images.size());
+}
+
+class TemporaryFile {
+public:
+    TemporaryFile(const std::string& name, const std::string& content)
+        : path_(std::filesystem::temp_directory_path() / ("restir-" + std::to_string(std::random_device()()) + name)) {
+        std::ofstream(path_, std::ios::binary) << content;
+    }
+    ~TemporaryFile() { std::filesystem::remove(path_); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    std::string path() const { return path_.string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+// One triangle, (0, 0, 0) (1, 0, 0) (0, 1, 0), its buffer inside.
+const char* const kTriangle = R"({"asset":{"version":"2.0"},
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"nodes":[{"mesh":0,"translation":[5,0,0]}],"scenes":[{"nodes":[0]}],"scene":0})";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+TEST(Scene, CornellHasAHundredLights) {
+    const SceneData scene = load("builtin:cornell");
+    expectSound(scene);
+    EXPECT_EQ(countOf(scene).emissive, 100u);
+    const samples::SceneLights lights = samples::makeSceneLights(scene);
+    EXPECT_EQ(lights.lights.size(), 100u);
+    EXPECT_EQ(lights.emissiveTriangles, 100u);
+    EXPECT_FALSE(scene.views.empty());
+}
+
+TEST(Scene, MarketHasThousandsOfLights) {
+    const SceneData scene = load("builtin:market");
+    expectSound(scene);
+    EXPECT_GE(samples::makeSceneLights(scene).lights.size(), 2000u);
+    EXPECT_FALSE(scene.textures.empty());
+    EXPECT_FALSE(scene.views.empty());
+}
+
+TEST(Scene, StreetCountsAreExact) {
+    for (const Counts& wanted : {Counts{1, 0}, Counts{1, 1}, Counts{999, 13}, Counts{100'000, 2'000},
+                                 Counts{54'321, 54'321}, Counts{65'537, 0}}) {
+        const SceneData scene = load("builtin:street?triangles=" + std::to_string(wanted.triangles) +
+                                     "&emissive=" + std::to_string(wanted.emissive));
+        expectSound(scene);
+        EXPECT_EQ(countOf(scene).triangles, wanted.triangles);
+        EXPECT_EQ(countOf(scene).emissive, wanted.emissive);
+    }
+}
+
+TEST(Scene, BuiltinMistakesAreNamed) {
+    expectError("builtin:nowhere", "nowhere");
+    expectError("builtin:", "builtin");
+    expectError("builtin:street?lamps=3", "lamps");
+    expectError("builtin:street?triangles=-3", "triangles");
+    expectError("builtin:street?triangles=many", "triangles");
+    expectError("builtin:street?triangles=0", "triangles");
+    expectError("builtin:street?triangles=10&emissive=11", "emissive");
+    expectError("builtin:cornell?triangles=3", "triangles=3");
+}
+
+TEST(Scene, FilesThatAreNotThere) {
+    expectError("/nowhere/scene.gltf", "/nowhere/scene.gltf");
+    expectError("/nowhere/scene.glb", "/nowhere/scene.glb");
+    expectError("", "");
+    EXPECT_FALSE(errorOf("").empty());
+}
+
+TEST(Scene, ReadsATriangle) {
+    const TemporaryFile file("triangle.gltf", kTriangle);
+    const SceneData scene = load(file.path());
+    expectSound(scene);
+    ASSERT_EQ(countOf(scene).triangles, 1u);
+    ASSERT_EQ(scene.instances.size(), 1u);
+    EXPECT_EQ(scene.instances[0].worldFromObject[3], glm::vec4(5, 0, 0, 1));
+    const samples::View view = samples::frameScene(scene);
+    EXPECT_NEAR(view.target.x, 5.5, 1e-5);
+    EXPECT_NEAR(view.target.y, 0.5, 1e-5);
+}
+
+TEST(Scene, EveryTruncationIsAnError) {
+    const std::string whole = kTriangle;
+    for (size_t length = 0; length + 1 < whole.size(); length += 7) {
+        const TemporaryFile file("cut.gltf", whole.substr(0, length));
+        EXPECT_FALSE(errorOf(file.path()).empty()) << length << " bytes were accepted";
+    }
+}
+
+TEST(Scene, BrokenReferencesAreErrors) {
+    const auto expectBroken = [](const std::string& from, const std::string& to) {
+        const TemporaryFile file("broken.gltf", replaced(kTriangle, from, to));
+        EXPECT_NE(errorOf(file.path()).find(file.path()), std::string::npos) << to << ": " << errorOf(file.path());
+    };
+    expectBroken(R"("count":3)", R"("count":4)");
+    expectBroken(R"("POSITION":0)", R"("POSITION":1)");
+    expectBroken(R"("mesh":0)", R"("mesh":7)");
+    expectBroken(R"("nodes":[0])", R"("nodes":[3])");
+    expectBroken(R"("buffer":0,"byteLength":36)", R"("buffer":0,"byteLength":360)");
+    expectBroken("gD8AAAAA", "wH8AAAAA");   // a coordinate that is NaN
+}
+
+// Every triangle comes back once, with its corners in their order.
+TEST(SortTriangles, IsAPermutation) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> coordinate(-5, 5);
+    for (uint32_t count : {0u, 1u, 2u, 3u, 17u, 1000u}) {
+        std::vector<glm::vec3> positions(3 * size_t{count});
+        for (glm::vec3& p : positions) p = {coordinate(random), coordinate(random), coordinate(random)};
+        std::vector<uint32_t> indices(positions.size());
+        std::iota(indices.begin(), indices.end(), 0u);
+        samples::sortTriangles(positions, indices);
+        std::vector<uint32_t> firsts;
+        for (size_t i = 0; i < indices.size(); i += 3) {
+            firsts.push_back(indices[i]);
+            EXPECT_EQ(indices[i + 1], indices[i] + 1);
+            EXPECT_EQ(indices[i + 2], indices[i] + 2);
+        }
+        std::sort(firsts.begin(), firsts.end());
+        ASSERT_EQ(firsts.size(), count);
+        for (uint32_t i = 0; i < count; ++i) EXPECT_EQ(firsts[i], 3 * i);
+    }
+}
+
+// Each half of the range lies on one side of a plane across the longest axis.
+TEST(SortTriangles, SplitsTheLongestAxis) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> unit(0, 1);
+    std::vector<glm::vec3> centroids(501);
+    for (glm::vec3& c : centroids) c = {unit(random), 10 * unit(random), unit(random)};
+    const std::vector<uint32_t> order = samples::spatialOrder(centroids);
+    float low = -1, high = 11;
+    for (size_t i = 0; i < order.size(); ++i) {
+        const float y = centroids[order[i]].y;
+        if (i <= 250) low = std::max(low, y);
+        else high = std::min(high, y);
+    }
+    EXPECT_LE(low, high);
+}
+
+}   // namespace

@@ -1,0 +1,91 @@
+// Against pictures of two independent renderers, where ../shared/scenes is present: per-channel mean within 0.3 %,
+// 95 % of the 8x8 blocks within three sigma + 0.5 %.
+#include <gtest/gtest.h>
+
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+struct CheckSetup {
+    std::string scene, referenceA, referenceB;
+    VkExtent2D extent;
+    double medianSigma;   // the check must have the power to see what it claims
+};
+
+const CheckSetup kCornell{"cornell100/cornell100.gltf", "cornell100/ref/cycles43_direct.exr",
+                          "cornell100/ref/pbrt_direct.exr", {256, 256}, 0.01};
+const CheckSetup kKitchen{"kitchen/kitchen_night.gltf", "kitchen/ref/night_direct_320x180_a.exr",
+                          "kitchen/ref/night_direct_320x180_b.exr", {320, 180}, 0.02};
+
+class Check {
+public:
+    explicit Check(const CheckSetup& setup) : setup_(setup) {
+        std::vector<std::string> warnings;
+        samples::SceneData scene = samples::loadScene(sharedScene(setup.scene), warnings);
+        samples::makeLambert(scene);
+        const samples::View view = scene.views.empty() ? samples::frameScene(scene) : scene.views[0];
+        leftOut_ = emitterBlocks(scene, setup.extent, view);
+        world_ = std::make_unique<World>(std::move(scene), setup.extent);
+        a_ = samples::readExr(sharedScene(setup.referenceA));
+        b_ = samples::readExr(sharedScene(setup.referenceB));
+    }
+
+    Agreement against(const char* what, const SeedStatistics& statistics) const {
+        const Agreement agreement = compare(statistics, referenceFromPair(a_, b_, statistics));
+        print(what, agreement);
+        return agreement;
+    }
+    Agreement di(const char* what, uint32_t count, uint32_t frames, const restir::Settings& settings) {
+        return against(what, world_->seeds(count, sequence(frames), settings, leftOut_));
+    }
+    Agreement reference(uint32_t count, uint32_t frames, uint32_t paths) {
+        return against("reference", world_->referenceSeeds(count, sequence(frames), {.paths = paths}, leftOut_));
+    }
+    void expectAgreement(const Agreement& a) const {
+        for (size_t c = 0; c < 3; ++c) {
+            EXPECT_LE(std::abs(a.channelRatio[c]), 0.003) << "channel " << c;
+            EXPECT_LE(a.channelError[c], 0.001) << "channel " << c;
+        }
+        EXPECT_GE(a.fractionInside, 0.95);
+        EXPECT_LE(a.medianSigma, setup_.medianSigma);
+    }
+
+private:
+    samples::Sequence sequence(uint32_t frames) const {
+        return {.view = world_->view(), .frames = frames, .accumulate = true};
+    }
+
+    CheckSetup setup_;
+    std::vector<bool> leftOut_;
+    std::unique_ptr<World> world_;
+    samples::FloatImage a_, b_;
+};
+
+restir::Settings offCached() {
+    restir::Settings settings;
+    settings.di.weights = restir::Weights::Off;
+    settings.di.visibility = restir::VisibilityReuse::Cached;
+    return settings;
+}
+
+TEST(NumericCheck, Cornell) {
+    if (sharedScene(kCornell.scene).empty()) GTEST_SKIP() << "no ../shared/scenes";
+    Check check(kCornell);
+    check.expectAgreement(check.reference(8, 8, 4));
+    check.expectAgreement(check.di("di pairwise traced", 8, 12, unbiased()));
+    const Agreement off = check.di("di off cached (must fail)", 8, 12, offCached());
+    for (size_t c = 0; c < 3; ++c) EXPECT_GE(-off.channelRatio[c], 5 * off.channelError[c]) << "channel " << c;
+    EXPECT_EQ(device().validationMessages(), 0u);
+}
+
+TEST(LongNumericCheck, Kitchen) {
+    if (sharedScene(kKitchen.scene).empty()) GTEST_SKIP() << "no ../shared/scenes";
+    Check check(kKitchen);
+    check.expectAgreement(check.reference(8, 16, 8));
+    check.expectAgreement(check.di("di pairwise traced", 8, 64, unbiased()));
+    EXPECT_EQ(device().validationMessages(), 0u);
+}
+
+}   // namespace
+}   // namespace tests

@@ -18,6 +18,11 @@ vec3 scaled(vec3 v, double s) { return {float(v.x * s), float(v.y * s), float(v.
 vec3 cross(vec3 a, vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 double luminance(vec3 c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
+double areaOf(const Light& triangle) {
+    const vec3 p = toVec3(triangle.position);
+    return 0.5 * length(cross(minus(toVec3(triangle.vertex1), p), minus(toVec3(triangle.vertex2), p)));
+}
+
 bool isFinite(const float (&v)[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
 // Null if the light is good, else the field that is not.
@@ -30,6 +35,7 @@ const char* badField(const Light& light, uint32_t maxLights) {
     if (light.kind == LightKind::Triangle) {
         if (!isFinite(light.vertex1)) return "vertex1";
         if (!isFinite(light.vertex2)) return "vertex2";
+        if (!std::isfinite(areaOf(light))) return "vertex1 / vertex2 (the area overflows)";
         if (std::isnan(light.meanLuminance) || std::isinf(light.meanLuminance)) return "meanLuminance";
         if (light.texture != RS_NO_TEXTURE && light.texture >= RS_LIGHT_NO_TEXTURE) return "texture";
         for (const auto& uv : light.uv)
@@ -51,10 +57,8 @@ double powerOf(const Light& light) {
     const double shine = luminance(toVec3(light.emission));
     switch (light.kind) {
         case LightKind::Triangle: {
-            const vec3 p = toVec3(light.position);
-            const double area = 0.5 * length(cross(minus(toVec3(light.vertex1), p), minus(toVec3(light.vertex2), p)));
             const double mean = light.meanLuminance < 0 ? shine : double(light.meanLuminance);
-            return pi * area * mean * (light.twoSided ? 2 : 1);
+            return pi * areaOf(light) * mean * (light.twoSided ? 2 : 1);
         }
         case LightKind::Point: return 4 * pi * shine;
         case LightKind::Spot: return 2 * pi * (1 - std::cos(0.5 * (light.innerCone + light.outerCone))) * shine;

@@ -8,9 +8,9 @@ namespace samples {
 namespace {
 
 constexpr VkDeviceSize kStorageAlignment = 256;   // of an acceleration structure in its buffer
-constexpr Access kBuildWrite{VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
-                             VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR |
-                                 VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR};
+constexpr Access kBuildWrite{
+    VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+    VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR | VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR};
 
 // The build of one acceleration structure, with the arrays its info points to.
 struct Build {
@@ -63,7 +63,9 @@ Build meshBuild(const Device& device, const std::vector<TriangleRange>& mesh) {
     return build;
 }
 
-VkDeviceSize aligned(VkDeviceSize size) { return (size + kStorageAlignment - 1) / kStorageAlignment * kStorageAlignment; }
+VkDeviceSize aligned(VkDeviceSize size) {
+    return (size + kStorageAlignment - 1) / kStorageAlignment * kStorageAlignment;
+}
 
 Buffer makeStorage(const Device& device, VkDeviceSize size) {
     return {device,
@@ -157,10 +159,11 @@ void Acceleration::buildTop(std::vector<VkAccelerationStructureInstanceKHR> inst
         instance.accelerationStructureReference = device_->rays().deviceAddress(device_->handle(), &info);
     }
     const VkDeviceSize bytes = instances.size() * sizeof(VkAccelerationStructureInstanceKHR);
-    const Buffer list(*device_, {.size = bytes,
-                                 .usage = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
-                                          VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
-                                 .memory = MemoryKind::Upload});
+    const Buffer list(*device_,
+                      {.size = bytes,
+                       .usage = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
+                                VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                       .memory = MemoryKind::Upload});
     std::memcpy(list.mapped(), instances.data(), bytes);
 
     Build build;
@@ -168,8 +171,9 @@ void Acceleration::buildTop(std::vector<VkAccelerationStructureInstanceKHR> inst
         .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
         .geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR,
         .geometry = {}};
-    geometry.geometry.instances = {.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR,
-                                   .data = {.deviceAddress = list.address()}};
+    geometry.geometry.instances = {
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR,
+        .data = {.deviceAddress = list.address()}};
     build.geometries.push_back(geometry);
     build.ranges.push_back({.primitiveCount = static_cast<uint32_t>(instances.size())});
     build.finish(*device_, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR);

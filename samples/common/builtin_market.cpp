@@ -21,7 +21,8 @@ void addGround(SceneData& scene, const Materials& m) {
                                    .uvScale = {road / kMetresPerTile, length / kMetresPerTile}});
     constexpr float kSlab = 0.9f;
     for (const float side : {-1.0f, 1.0f})
-        for (float z = kNearEnd; z > kFarEnd; z -= kSlab) {
+        for (uint32_t slab = 0; slab < static_cast<uint32_t>(length / kSlab); ++slab) {
+            const float z = kNearEnd - kSlab * static_cast<float>(slab);
             const float inner = side * (kHalfStreet - kPavement), outer = side * (kHalfStreet + 0.3f);
             const float joint = 0.012f, x0 = std::min(inner, outer), x1 = std::max(inner, outer);
             const float kerb = side > 0 ? x0 + 0.22f : x1 - 0.22f;

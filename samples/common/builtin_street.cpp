@@ -10,7 +10,8 @@ namespace samples::build {
 namespace {
 
 // Metres. Houses stand on both sides of a street along z.
-constexpr uint32_t kHousesPerSide = 12, kHouseKinds = 4, kTrees = 24, kTreeKinds = 3;
+constexpr uint32_t kHousesPerSide = 12, kHouses = 2 * kHousesPerSide, kHouseKinds = 4, kTrees = 24,
+                   kTreeKinds = 3;
 constexpr float kHouseWidth = 9, kHouseHeight = 13, kHalfStreet = 7;
 constexpr float kLength = kHousesPerSide * kHouseWidth;
 constexpr uint32_t kFloors = 4, kWindowsPerFloor = 3;
@@ -153,7 +154,7 @@ private:
             addPatch(pane, {.origin = {rect.lo.x, rect.lo.y, -0.15f},
                             .u = {rect.hi.x - rect.lo.x, 0, 0},
                             .v = {0, rect.hi.y - rect.lo.y, 0}});
-            repeat(budget, 2 * kHousesPerSide, pane, housePlace);
+            repeat(budget, kHouses, pane, housePlace);
         }
         emissive_ = reserved + budget;
     }
@@ -200,7 +201,7 @@ private:
         addLathe(trunk, glm::vec3{0}, kTrunk, 8);
         uint64_t budget = plain_ / 10;
         const uint64_t reserved = plain_ - budget;
-        repeat(budget, 2 * kHousesPerSide, pole, [](uint32_t i) { return besideStreet(i, 0.5f); });
+        repeat(budget, kHouses, pole, [](uint32_t i) { return besideStreet(i, 0.5f); });
         repeat(budget, kTrees, trunk, [](uint32_t i) { return besideStreet(i, 0); });
         plain_ = reserved + budget;
     }
@@ -229,15 +230,14 @@ private:
     }
 
     void addFacades(uint64_t budget) {
-        const uint64_t houses = 2 * kHousesPerSide;
-        const glm::uvec2 grid = gridWithin(std::min(budget, plain_) / houses, kHouseWidth / kHouseHeight);
+        const glm::uvec2 grid = gridWithin(std::min(budget, plain_) / kHouses, kHouseWidth / kHouseHeight);
         const uint64_t triangles = uint64_t{2} * grid.x * grid.y;
         std::vector<uint32_t> meshes;
         for (uint32_t kind = 0; kind < kHouseKinds && triangles > 0; ++kind)
             meshes.push_back(addMesh(scene_, {makeFacade(walls_[kind], kind, grid)}));
-        for (uint32_t i = 0; i < houses && triangles > 0; ++i)
+        for (uint32_t i = 0; i < kHouses && triangles > 0; ++i)
             addInstance(scene_, meshes[hash(i) % kHouseKinds], housePlace(i));
-        plain_ -= triangles * houses;
+        plain_ -= triangles * kHouses;
     }
 
     // Crowns take everything left; one more clump takes what does not divide by the number of trees.

@@ -61,7 +61,7 @@ uint32_t hash(uint32_t value) {   // Wellons' lowbias32
 
 glm::vec2 jitterOf(uint32_t index, uint32_t seed) {
     // In integers: exact, however long the sequence is.
-    const uint32_t x = hash(seed) + index * 3242174889u;              // 2^32 / 1.3247
+    const uint32_t x = hash(seed) + index * 3242174889u;                 // 2^32 / 1.3247
     const uint32_t y = hash(seed ^ 0x9e3779b9u) + index * 2447445414u;   // 2^32 / 1.3247^2
     return glm::vec2(static_cast<float>(x >> 8), static_cast<float>(y >> 8)) / 16777216.0f - 0.5f;
 }

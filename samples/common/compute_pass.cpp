@@ -8,10 +8,11 @@ constexpr uint32_t kGroupSize = 8;
 }   // namespace
 
 ComputePass::ComputePass(const Device& device, const GpuScene& scene, std::span<const uint32_t> spirv,
-                         std::span<const VkImageView> images, uint32_t constantsSize)
+                         std::span<const VkImageView> images, uint32_t constantsSize,
+                         std::span<const VkBuffer> buffers)
     : device_(device), scene_(scene) {
     try {
-        makeSet(images);
+        makeSet(images, buffers);
         makePipeline(spirv, constantsSize);
     } catch (...) {
         release();
@@ -28,27 +29,36 @@ void ComputePass::release() {
     vkDestroyDescriptorSetLayout(device_.handle(), setLayout_, nullptr);
 }
 
-void ComputePass::makeSet(std::span<const VkImageView> images) {
+void ComputePass::makeSet(std::span<const VkImageView> images, std::span<const VkBuffer> buffers) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
-    std::vector<VkDescriptorImageInfo> infos;
-    for (VkImageView view : images) {
+    std::vector<VkDescriptorImageInfo> imageInfos;
+    std::vector<VkDescriptorBufferInfo> bufferInfos;
+    std::vector<VkDescriptorPoolSize> sizes;
+    const auto bind = [&](VkDescriptorType type) {
         bindings.push_back({.binding = static_cast<uint32_t>(bindings.size()),
-                            .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                            .descriptorType = type,
                             .descriptorCount = 1,
                             .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT});
-        infos.push_back({.imageView = view, .imageLayout = VK_IMAGE_LAYOUT_GENERAL});
+        sizes.push_back({type, 1});
+    };
+    for (VkImageView view : images) {
+        bind(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+        imageInfos.push_back({.imageView = view, .imageLayout = VK_IMAGE_LAYOUT_GENERAL});
     }
-    const auto count = static_cast<uint32_t>(images.size());
-    const VkDescriptorSetLayoutCreateInfo layoutInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                                     .bindingCount = count,
-                                                     .pBindings = bindings.data()};
+    for (VkBuffer buffer : buffers) {
+        bind(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+        bufferInfos.push_back({.buffer = buffer, .range = VK_WHOLE_SIZE});
+    }
+    const VkDescriptorSetLayoutCreateInfo layoutInfo{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+        .bindingCount = static_cast<uint32_t>(bindings.size()),
+        .pBindings = bindings.data()};
     check(vkCreateDescriptorSetLayout(device_.handle(), &layoutInfo, nullptr, &setLayout_),
           "vkCreateDescriptorSetLayout");
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count};
     const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                               .maxSets = 1,
-                                              .poolSizeCount = 1,
-                                              .pPoolSizes = &size};
+                                              .poolSizeCount = static_cast<uint32_t>(sizes.size()),
+                                              .pPoolSizes = sizes.data()};
     check(vkCreateDescriptorPool(device_.handle(), &poolInfo, nullptr, &pool_), "vkCreateDescriptorPool");
     const VkDescriptorSetAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
                                                  .descriptorPool = pool_,
@@ -56,15 +66,17 @@ void ComputePass::makeSet(std::span<const VkImageView> images) {
                                                  .pSetLayouts = &setLayout_};
     check(vkAllocateDescriptorSets(device_.handle(), &allocation, &set_), "vkAllocateDescriptorSets");
     std::vector<VkWriteDescriptorSet> writes;
-    for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t i = 0; i < bindings.size(); ++i) {
+        const bool image = i < imageInfos.size();
         writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                           .dstSet = set_,
                           .dstBinding = i,
                           .descriptorCount = 1,
-                          .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-                          .pImageInfo = &infos[i]});
+                          .descriptorType = bindings[i].descriptorType,
+                          .pImageInfo = image ? &imageInfos[i] : nullptr,
+                          .pBufferInfo = image ? nullptr : &bufferInfos[i - imageInfos.size()]});
     }
-    vkUpdateDescriptorSets(device_.handle(), count, writes.data(), 0, nullptr);
+    vkUpdateDescriptorSets(device_.handle(), static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
 
 void ComputePass::makePipeline(std::span<const uint32_t> spirv, uint32_t constantsSize) {
@@ -81,24 +93,28 @@ void ComputePass::makePipeline(std::span<const uint32_t> spirv, uint32_t constan
                                               .pCode = spirv.data()};
     VkShaderModule module = VK_NULL_HANDLE;
     check(vkCreateShaderModule(device_.handle(), &moduleInfo, nullptr, &module), "vkCreateShaderModule");
-    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                           .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                                     .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                                                     .module = module,
-                                                     .pName = "main"},
-                                           .layout = layout_};
-    const VkResult result = vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
+    const VkComputePipelineCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+        .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                  .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                  .module = module,
+                  .pName = "main"},
+        .layout = layout_};
+    const VkResult result =
+        vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
     vkDestroyShaderModule(device_.handle(), module, nullptr);
     check(result, "vkCreateComputePipelines");
 }
 
-void ComputePass::dispatch(VkCommandBuffer cmd, VkExtent2D extent, std::span<const std::byte> constants) const {
+void ComputePass::dispatch(VkCommandBuffer cmd, VkExtent2D extent,
+                           std::span<const std::byte> constants) const {
     const VkDescriptorSet sets[] = {set_, scene_.set()};
     vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
     vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 2, sets, 0, nullptr);
     vkCmdPushConstants(cmd, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, static_cast<uint32_t>(constants.size()),
                        constants.data());
-    vkCmdDispatch(cmd, (extent.width + kGroupSize - 1) / kGroupSize, (extent.height + kGroupSize - 1) / kGroupSize, 1);
+    vkCmdDispatch(cmd, (extent.width + kGroupSize - 1) / kGroupSize,
+                  (extent.height + kGroupSize - 1) / kGroupSize, 1);
 }
 
 }   // namespace samples

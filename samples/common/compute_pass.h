@@ -10,9 +10,10 @@ namespace samples {
 
 class ComputePass {
 public:
-    // Binding i of set 0 is images[i], in VK_IMAGE_LAYOUT_GENERAL. Shaders are 8x8.
+    // Binding i of set 0 is images[i], in VK_IMAGE_LAYOUT_GENERAL; storage buffers follow. Shaders are 8x8.
     ComputePass(const Device& device, const GpuScene& scene, std::span<const uint32_t> spirv,
-                std::span<const VkImageView> images, uint32_t constantsSize);
+                std::span<const VkImageView> images, uint32_t constantsSize,
+                std::span<const VkBuffer> buffers = {});
     ~ComputePass();
     ComputePass(const ComputePass&) = delete;
     ComputePass& operator=(const ComputePass&) = delete;
@@ -23,7 +24,7 @@ public:
     }
 
 private:
-    void makeSet(std::span<const VkImageView> images);
+    void makeSet(std::span<const VkImageView> images, std::span<const VkBuffer> buffers);
     void makePipeline(std::span<const uint32_t> spirv, uint32_t constantsSize);
     void dispatch(VkCommandBuffer cmd, VkExtent2D extent, std::span<const std::byte> constants) const;
     void release();

@@ -20,8 +20,9 @@ bool hasLayer(const char* name) {
     check(vkEnumerateInstanceLayerProperties(&count, nullptr), "vkEnumerateInstanceLayerProperties");
     std::vector<VkLayerProperties> layers(count);
     check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "vkEnumerateInstanceLayerProperties");
-    return std::any_of(layers.begin(), layers.end(),
-                       [&](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
+    return std::any_of(layers.begin(), layers.end(), [&](const VkLayerProperties& layer) {
+        return std::strcmp(layer.layerName, name) == 0;
+    });
 }
 
 bool hasInstanceExtension(const char* name) {
@@ -54,10 +55,14 @@ int rank(VkPhysicalDevice physical) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
     switch (properties.deviceType) {
-        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
-        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
-        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
-        default: return 1;
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+            return 4;
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+            return 3;
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+            return 2;
+        default:
+            return 1;
     }
 }
 
@@ -135,14 +140,15 @@ void Device::release() {
 
 void Device::makeInstance(bool validate) {
     if (validate && !hasLayer(kValidationLayer)) {
-        throw std::runtime_error("validation was asked for, but VK_LAYER_KHRONOS_validation is not installed");
+        throw std::runtime_error(
+            "validation was asked for, but VK_LAYER_KHRONOS_validation is not installed");
     }
     const VkDebugUtilsMessengerCreateInfoEXT messengerInfo{
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
-        .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
-                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-        .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
-                       VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
+        .messageSeverity =
+            VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+        .messageType =
+            VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
         .pfnUserCallback = report,
         .pUserData = this};
     const VkValidationFeatureEnableEXT enabled = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
@@ -201,7 +207,8 @@ void Device::makeDevice() {
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
-    while (queueFamily_ < count && !(families[queueFamily_].queueFlags & VK_QUEUE_COMPUTE_BIT)) ++queueFamily_;
+    while (queueFamily_ < count && !(families[queueFamily_].queueFlags & VK_QUEUE_COMPUTE_BIT))
+        ++queueFamily_;
     if (queueFamily_ == count) throw std::runtime_error("the device has no compute queue");
     timestampBits_ = families[queueFamily_].timestampValidBits;
 
@@ -269,9 +276,8 @@ void Device::submitAndWait(const std::function<void(VkCommandBuffer)>& record) c
     samples::check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
     record(commands);
     samples::check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-    const VkSubmitInfo submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
-                              .commandBufferCount = 1,
-                              .pCommandBuffers = &commands};
+    const VkSubmitInfo submit{
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands};
     samples::check(vkQueueSubmit(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
     samples::check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
     vkFreeCommandBuffers(device_, pool_, 1, &commands);

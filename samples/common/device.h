@@ -75,7 +75,8 @@ private:
     [[noreturn]] void fail(const restir::Error& error, const char* what) const;
     static VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                                                  VkDebugUtilsMessageTypeFlagsEXT types,
-                                                 const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
+                                                 const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                                 void* user);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

@@ -100,7 +100,8 @@ void bakeMaskedEmission(SceneData& scene) {
         if (material.emissionTexture != RS_NO_TEXTURE) {
             emission = &scene.images[scene.textures[material.emissionTexture].image];
         }
-        Image baked = bake({scene.images[texture.image], texture, material.baseColor.w, material.alphaCutoff}, emission);
+        Image baked = bake({scene.images[texture.image], texture, material.baseColor.w, material.alphaCutoff},
+                           emission);
         material.emissionTexture = static_cast<uint32_t>(scene.textures.size());
         scene.textures.push_back(texture);
         scene.textures.back().image = static_cast<uint32_t>(scene.images.size());
@@ -172,7 +173,8 @@ float EmissionMap::touched(const glm::vec2 (&uv)[3]) const {
     int64_t count = 0;
     for (int64_t y = y0; y < y1; ++y) {
         for (int64_t x = x0; x < x1; ++x) {
-            if (!touches(corners, glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f))) continue;
+            if (!touches(corners, glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f)))
+                continue;
             sum += texel(x, y);
             ++count;
         }

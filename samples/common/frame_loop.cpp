@@ -16,9 +16,10 @@ FrameLoop::FrameLoop(const Device& device, VkExtent2D extent)
               VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT),
       slots_(device) {
     for (Buffer& buffer : readback_) {
-        buffer = Buffer(device, {.size = VkDeviceSize{extent.width} * extent.height * kChannels * sizeof(float),
-                                 .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                 .memory = MemoryKind::Readback});
+        buffer =
+            Buffer(device, {.size = VkDeviceSize{extent.width} * extent.height * kChannels * sizeof(float),
+                            .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                            .memory = MemoryKind::Readback});
     }
 }
 
@@ -63,7 +64,8 @@ void FrameLoop::submit(const Frame& frame, const FrameCallbacks& callbacks) {
     pipelineBarrier(cmd, {{imageBarrier(target_, {kCopy.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED},
                                         {written.stages, written.access, VK_IMAGE_LAYOUT_GENERAL})}});
     callbacks.record(cmd, frame);
-    pipelineBarrier(cmd, {{imageBarrier(target_, {written.stages, written.access, VK_IMAGE_LAYOUT_GENERAL}, kCopy)}});
+    pipelineBarrier(
+        cmd, {{imageBarrier(target_, {written.stages, written.access, VK_IMAGE_LAYOUT_GENERAL}, kCopy)}});
     const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                    .imageExtent = {extent_.width, extent_.height, 1}};
     vkCmdCopyImageToBuffer(cmd, target_.handle(), kCopy.layout, readback_[frame.slot].handle(), 1, &region);

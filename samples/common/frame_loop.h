@@ -13,16 +13,16 @@ namespace samples {
 struct Sequence {
     View view;   // of the last frame
     uint32_t frames = 1;
-    uint32_t seed = 0;           // sequences with different seeds are independent
-    bool accumulate = false;     // the mean of all frames, each jittered over the pixel; else the last frame
-    float orbitDegrees = 0;      // the camera's turn about its target from frame to frame
+    uint32_t seed = 0;         // sequences with different seeds are independent
+    bool accumulate = false;   // the mean of all frames, each jittered over the pixel; else the last frame
+    float orbitDegrees = 0;    // the camera's turn about its target from frame to frame
 };
 
 struct Frame {
     uint32_t index = 0;
     uint32_t slot = 0;
     bool last = false;
-    uint32_t seed = 0;   // the sequence's
+    uint32_t seed = 0;           // the sequence's
     CameraPose pose, previous;   // of the first frame: the same
     glm::vec2 jitter{0};         // pixels
 };

@@ -42,9 +42,8 @@ VkCommandBuffer FrameSlots::begin(uint32_t slot) {
 void FrameSlots::submit(uint32_t slot) {
     check(vkEndCommandBuffer(commands_[slot]), "vkEndCommandBuffer");
     check(vkResetFences(device_.handle(), 1, &fences_[slot]), "vkResetFences");
-    const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
-                            .commandBufferCount = 1,
-                            .pCommandBuffers = &commands_[slot]};
+    const VkSubmitInfo info{
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands_[slot]};
     check(vkQueueSubmit(device_.queue(), 1, &info, fences_[slot]), "vkQueueSubmit");
 }
 

@@ -24,7 +24,8 @@ std::array<GpuImage, Count> makeImages(const Device& device, VkExtent2D extent) 
     static_assert(Count == kFormats.size());
     std::array<GpuImage, Count> images;
     for (size_t i = 0; i < Count; ++i) {
-        images[i] = GpuImage(device, extent, kFormats[i], VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+        images[i] =
+            GpuImage(device, extent, kFormats[i], VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
     }
     return images;
 }
@@ -42,9 +43,10 @@ std::array<VkImageView, GBufferPass::Count> GBufferPass::views() const {
     return result;
 }
 
-void GBufferPass::record(VkCommandBuffer cmd, const CameraPose& pose, const CameraPose& previous, glm::vec2 jitter,
-                         const restir::Scope& readers) const {
-    const Access before{readers.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last frame's contents are done with
+void GBufferPass::record(VkCommandBuffer cmd, const CameraPose& pose, const CameraPose& previous,
+                         glm::vec2 jitter, const restir::Scope& readers) const {
+    const Access before{readers.stages, 0,
+                        VK_IMAGE_LAYOUT_UNDEFINED};   // last frame's contents are done with
     const Access write{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                        VK_IMAGE_LAYOUT_GENERAL};
     const Access after{readers.stages, readers.access, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};

@@ -101,14 +101,13 @@ void readUvs(Reader& reader, const tinygltf::Primitive& primitive, int set, Geom
     const std::string name = "TEXCOORD_" + std::to_string(set);
     const int accessor = attribute(primitive, name);
     if (accessor < 0) return;
-    geometry.uvs = readStream<glm::vec2>(reader, accessor, field + "." + name);
-    if (geometry.uvs.size() != geometry.positions.size())
-        reader.fail(field + "." + name, "count differs from POSITION's");
-    for (glm::vec2& uv : geometry.uvs) {
-        if (std::isfinite(uv.x) && std::isfinite(uv.y)) continue;
-        uv = glm::vec2{0};
-        reader.warn(field + "." + name + ": values that are no numbers were set to zero");
-    }
+    const std::string path = field + "." + name;
+    geometry.uvs = readStream<glm::vec2>(reader, accessor, path);
+    if (geometry.uvs.size() != geometry.positions.size()) reader.fail(path, "count differs from POSITION's");
+    const auto bad = [](const glm::vec2& uv) { return !std::isfinite(uv.x) || !std::isfinite(uv.y); };
+    if (std::none_of(geometry.uvs.begin(), geometry.uvs.end(), bad)) return;
+    reader.warn(path + ": values that are not finite were set to zero");
+    std::replace_if(geometry.uvs.begin(), geometry.uvs.end(), bad, glm::vec2{0});
 }
 
 bool isTriangles(int mode) {

@@ -29,7 +29,8 @@ uint32_t findMemoryType(const Device& device, uint32_t allowed, MemoryKind kind)
     throw std::runtime_error("the device has no memory type for a resource");
 }
 
-VkDeviceMemory allocate(const Device& device, const VkMemoryRequirements& needs, MemoryKind kind, bool addressed) {
+VkDeviceMemory allocate(const Device& device, const VkMemoryRequirements& needs, MemoryKind kind,
+                        bool addressed) {
     const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
                                           .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
     const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
@@ -160,17 +161,16 @@ void memoryBarrier(VkCommandBuffer cmd, const Access& from, const Access& to) {
                                    .srcAccessMask = from.access,
                                    .dstStageMask = to.stages,
                                    .dstAccessMask = to.access};
-    const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                .memoryBarrierCount = 1,
-                                .pMemoryBarriers = &barrier};
+    const VkDependencyInfo info{
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &barrier};
     vkCmdPipelineBarrier2(cmd, &info);
 }
 
 Uploader::Uploader(const Device& device)
     : device_(device),
-      staging_(device, {.size = kStagingBytes,
-                        .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                        .memory = MemoryKind::Upload}) {}
+      staging_(
+          device,
+          {.size = kStagingBytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT, .memory = MemoryKind::Upload}) {}
 
 void Uploader::buffer(const Buffer& target, VkDeviceSize offset, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {

@@ -14,8 +14,9 @@ using restir::gpu::RsInstance;
 
 constexpr uint32_t kMostRecords = 1u << 24;   // instanceCustomIndex has 24 bits
 constexpr uint32_t kWrapModes = 3;
-constexpr VkSamplerAddressMode kAddressModes[kWrapModes] = {
-    VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
+constexpr VkSamplerAddressMode kAddressModes[kWrapModes] = {VK_SAMPLER_ADDRESS_MODE_REPEAT,
+                                                            VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT,
+                                                            VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
 
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& values) {
@@ -42,8 +43,8 @@ glm::vec4 boxCentre(const Mesh& mesh) {
 }
 
 // Lavapipe halves the list of instances unsorted, like triangles.
-std::vector<VkAccelerationStructureInstanceKHR> sorted(const std::vector<VkAccelerationStructureInstanceKHR>& entries,
-                                                       const SceneData& scene) {
+std::vector<VkAccelerationStructureInstanceKHR> sorted(
+    const std::vector<VkAccelerationStructureInstanceKHR>& entries, const SceneData& scene) {
     std::vector<glm::vec4> centres;
     for (const Mesh& mesh : scene.meshes) centres.push_back(boxCentre(mesh));
     std::vector<glm::vec3> centroids;
@@ -115,10 +116,11 @@ void GpuScene::uploadGeometry(Uploader& uploader, const SceneData& scene) {
                     bytesOf(geometry.normals).size() + bytesOf(geometry.uvs).size();
         }
     }
-    geometry_ = Buffer(device_, {.size = size,
-                                 .usage = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                          VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR});
+    geometry_ =
+        Buffer(device_, {.size = size,
+                         .usage = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                  VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR});
     VkDeviceSize offset = 0;
     const auto append = [&](std::span<const std::byte> bytes) {
         const VkDeviceAddress address = bytes.empty() ? 0 : geometry_.address() + offset;

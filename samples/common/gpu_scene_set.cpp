@@ -19,25 +19,28 @@ VkDescriptorSetLayoutBinding binding(uint32_t index, VkDescriptorType type, uint
 
 void GpuScene::makeSet() {
     const auto textureCount = static_cast<uint32_t>(textureInfos_.size());
-    const std::array bindings = {binding(kTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR),
-                                 binding(kInstances, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
-                                 binding(kMaterials, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
-                                 binding(kReferenceLights, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
-                                 binding(kTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::max(textureCount, 1u))};
+    const std::array bindings = {
+        binding(kTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR),
+        binding(kInstances, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+        binding(kMaterials, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+        binding(kReferenceLights, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+        binding(kTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::max(textureCount, 1u))};
     std::array<VkDescriptorBindingFlags, kBindingCount> flags{};
     flags[kTextures] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // scenes without textures
     const VkDescriptorSetLayoutBindingFlagsCreateInfo flagsInfo{
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO,
         .bindingCount = kBindingCount,
         .pBindingFlags = flags.data()};
-    const VkDescriptorSetLayoutCreateInfo layoutInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                                     .pNext = &flagsInfo,
-                                                     .bindingCount = kBindingCount,
-                                                     .pBindings = bindings.data()};
+    const VkDescriptorSetLayoutCreateInfo layoutInfo{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+        .pNext = &flagsInfo,
+        .bindingCount = kBindingCount,
+        .pBindings = bindings.data()};
     check(vkCreateDescriptorSetLayout(device_.handle(), &layoutInfo, nullptr, &setLayout_),
           "vkCreateDescriptorSetLayout");
     std::array<VkDescriptorPoolSize, kBindingCount> sizes;
-    for (size_t i = 0; i < sizes.size(); ++i) sizes[i] = {bindings[i].descriptorType, bindings[i].descriptorCount};
+    for (size_t i = 0; i < sizes.size(); ++i)
+        sizes[i] = {bindings[i].descriptorType, bindings[i].descriptorCount};
     const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                               .maxSets = 1,
                                               .poolSizeCount = kBindingCount,

@@ -44,7 +44,7 @@ void writeThenRename(const std::string& path, const std::function<void(const std
 }
 
 // One slice per channel, all into (or from) interleaved pixels whose first one is (origin.x, origin.y).
-Imf::FrameBuffer interleaved(float* pixels, size_t width, Imath::V2i origin, bool gray) {
+Imf::FrameBuffer interleaved(float* pixels, size_t width, const Imath::V2i& origin, bool gray) {
     Imf::FrameBuffer buffer;
     constexpr size_t kStride = kChannels * sizeof(float);
     const auto offset = static_cast<std::ptrdiff_t>(width) * origin.y + origin.x;

@@ -79,7 +79,7 @@ void addLights(SceneData& scene, Materials& m) {
     constexpr std::array<uint32_t, 3> kRooms = {0xffb469, 0xffd39a, 0xff9d52};
     for (uint32_t i = 0; i < 3; ++i) m.windows[i] = glowing(hex(kRooms[i]) * 2.6f, paintWindow(i + 1));
     constexpr std::array<uint32_t, 3> kShops = {0xffc988, 0xffe0b8, 0xbfe0ff};
-    for (uint32_t i = 0; i < 3; ++i) m.shops[i] = glowing(hex(kShops[i]) * 3.0f, paintShop(20 + 7 * i));
+    for (uint32_t i = 0; i < 3; ++i) m.shops[i] = glowing(hex(kShops[i]) * 1.7f, paintShop(20 + 7 * i));
     constexpr std::array<std::string_view, 8> kWords = {"RESTIR", "CAFE", "BAR",   "BOOKS",
                                                         "NOODLE", "TEA",  "FRUIT", "PIANO"};
     constexpr std::array<uint32_t, 8> kNeons = {0xff3fa4, 0x3fd2ff, 0xff5a3c, 0x5dff8f,
@@ -90,7 +90,7 @@ void addLights(SceneData& scene, Materials& m) {
     for (size_t i = 0; i < kLanterns.size(); ++i)
         m.lanterns[i] = glowing(hex(kLanterns[i]) * 3.5f, paintLantern());
     constexpr std::array<uint32_t, 6> kBulbs = {0xffc36b, 0xffdca0, 0xff7048, 0x6cc4ff, 0x8dff86, 0xff86d8};
-    for (size_t i = 0; i < kBulbs.size(); ++i) m.bulbs[i] = bare(hex(kBulbs[i]) * 80.0f);
+    for (size_t i = 0; i < kBulbs.size(); ++i) m.bulbs[i] = bare(hex(kBulbs[i]) * 70.0f);
     m.lamp = bare(hex(0xffce90) * 20.0f);
     m.clock = glowing(hex(0xfff0cf) * 2.2f, paintClock());
     m.gate = glowing(hex(0xff9a48) * 3.5f, paintGate());

@@ -45,7 +45,8 @@ uint32_t makeFruitCrate(SceneData& scene, const Materials& m, uint32_t fruit) {
         for (uint32_t i = 0; i < (layer ? 8 : kColumns * kRows); ++i) {
             const uint32_t columns = layer ? kColumns - 1 : kColumns;
             const float x = (static_cast<float>(i % columns) - static_cast<float>(columns - 1) / 2) * 0.096f;
-            const float z = (static_cast<float>(i / columns) - (layer ? 0.5f : 1.0f)) * 0.108f;
+            const uint32_t row = i / columns;
+            const float z = (static_cast<float>(row) - (layer ? 0.5f : 1.0f)) * 0.108f;
             const glm::vec3 centre{x + rng.range(-0.008f, 0.008f), 0.12f + 0.075f * static_cast<float>(layer),
                                    z};
             const glm::vec3 radii = glm::vec3{0.048f, 0.045f, 0.048f} * rng.range(0.9f, 1.08f);

@@ -22,7 +22,8 @@ void turnMirroredEmitters(SceneData& scene) {
         const auto& geometries = scene.meshes[instance.mesh].geometries;
         const auto emits = [&](const Geometry& geometry) { return isEmitter(scene, geometry); };
         if (std::none_of(geometries.begin(), geometries.end(), emits)) continue;
-        const auto [entry, added] = turned.try_emplace(instance.mesh, static_cast<uint32_t>(scene.meshes.size()));
+        const auto [entry, added] =
+            turned.try_emplace(instance.mesh, static_cast<uint32_t>(scene.meshes.size()));
         if (added) {
             Mesh copy = scene.meshes[instance.mesh];
             for (Geometry& geometry : copy.geometries) {

@@ -22,7 +22,7 @@ restir::Scene makeScene(const Device& device, const restir::Context& context, co
 
 }   // namespace
 
-Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent)
+Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, uint32_t rayLogCapacity)
     : device_(device),
       scene_(scene),
       loop_(device, extent),
@@ -31,12 +31,13 @@ Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent)
       sdkScene_(makeScene(device, context_, scene)),
       lights_(device.require(restir::LightTable::create(context_, {.maxLights = scene.maxLights()}),
                              "restir::LightTable")),
-      session_(device.require(restir::Session::create(context_, {.maxExtent = extent}), "restir::Session")),
+      session_(device.require(
+          restir::Session::create(context_, {.maxExtent = extent, .rayLogCapacity = rayLogCapacity}),
+          "restir::Session")),
       lightBytes_(restir::LightTable::memoryNeeded(context_, {.maxLights = scene.maxLights()})) {
     device.check(lights_.upload(0, scene.lights()), "restir::LightTable::upload");
-    device.submitAndWait([&](VkCommandBuffer cmd) {
-        device.check(lights_.record(cmd, 0), "restir::LightTable::record");
-    });
+    device.submitAndWait(
+        [&](VkCommandBuffer cmd) { device.check(lights_.record(cmd, 0), "restir::LightTable::record"); });
 }
 
 FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& settings,
@@ -69,7 +70,8 @@ void Renderer::record(VkCommandBuffer cmd, const Frame& frame, restir::Settings 
 }
 
 void Renderer::collect(const Frame& frame) {
-    auto next = stats_.passes.begin();   // a pass that the first frames do without still gets its place in order
+    // A pass that the first frames do without still gets its place in the order.
+    auto next = stats_.passes.begin();
     for (const restir::PassTiming& timing : session_.timings(frame.slot)) {
         const auto same = [&](const PassStats& pass) { return pass.name == timing.name; };
         auto pass = std::find_if(stats_.passes.begin(), stats_.passes.end(), same);

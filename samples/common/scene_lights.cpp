@@ -24,7 +24,8 @@ public:
 
     SceneLights collect() {
         for (const Instance& instance : scene_.instances) {
-            for (const Geometry& geometry : scene_.meshes[instance.mesh].geometries) addGeometry(instance, geometry);
+            for (const Geometry& geometry : scene_.meshes[instance.mesh].geometries)
+                addGeometry(instance, geometry);
         }
         for (const PunctualLight& light : scene_.punctual) addPunctual(light);
         result_.idCount = static_cast<uint32_t>(nextId_);
@@ -52,7 +53,8 @@ private:
         result_.emissiveTriangles += count;
     }
 
-    void addTriangle(const Instance& instance, const Geometry& geometry, const RsMaterial& material, uint32_t primitive) {
+    void addTriangle(const Instance& instance, const Geometry& geometry, const RsMaterial& material,
+                     uint32_t primitive) {
         const uint32_t* corners = &geometry.indices[size_t{3} * primitive];
         glm::vec3 p[3];
         for (int i = 0; i < 3; ++i) {
@@ -74,7 +76,8 @@ private:
         result_.lights.push_back(light);
     }
 
-    void addTexture(const Geometry& geometry, const uint32_t* corners, const RsMaterial& material, restir::Light& light) {
+    void addTexture(const Geometry& geometry, const uint32_t* corners, const RsMaterial& material,
+                    restir::Light& light) {
         glm::vec2 uv[3] = {glm::vec2(0), glm::vec2(0), glm::vec2(0)};
         for (int i = 0; i < 3 && !geometry.uvs.empty(); ++i) uv[i] = geometry.uvs[corners[i]];
         for (int i = 0; i < 3; ++i) {
@@ -106,7 +109,8 @@ private:
 
     void addReference(const PunctualLight& punctual) {
         ReferenceLight light;
-        light.kind = punctual.kind == PunctualKind::Directional ? ReferenceKind::Directional : ReferenceKind::Local;
+        light.kind =
+            punctual.kind == PunctualKind::Directional ? ReferenceKind::Directional : ReferenceKind::Local;
         light.position = punctual.position;
         light.direction = glm::normalize(punctual.direction);
         light.intensity = punctual.intensity;

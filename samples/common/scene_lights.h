@@ -19,11 +19,11 @@ struct ReferenceLight {
 };
 
 struct SceneLights {
-    std::vector<restir::Light> lights;        // black and degenerate triangles are left out; their ids stay free
-    std::vector<ReferenceLight> reference;    // the same lights in the same order
-    std::vector<uint32_t> firstLight;         // of each (instance, geometry) record; RS_NO_LIGHT
-    uint32_t idCount = 0;                     // one more than the largest id
-    uint64_t emissiveTriangles = 0;           // triangles of emissive materials
+    std::vector<restir::Light> lights;   // black and degenerate triangles are left out; their ids stay free
+    std::vector<ReferenceLight> reference;   // the same lights in the same order
+    std::vector<uint32_t> firstLight;        // of each (instance, geometry) record; RS_NO_LIGHT
+    uint32_t idCount = 0;                    // one more than the largest id
+    uint64_t emissiveTriangles = 0;          // triangles of emissive materials
 };
 
 // Records count geometries, instance by instance. Throws std::runtime_error beyond the SDK's limit.

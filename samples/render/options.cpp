@@ -22,7 +22,8 @@ constexpr const char* kVersion = RENDER_TEXT(RESTIR_VERSION_MAJOR) "." RENDER_TE
 
 // Numbers with a separator between them and nothing else.
 template <class T, size_t Count>
-std::array<T, Count> parseList(const std::string& text, char separator, const char* option, const char* form) {
+std::array<T, Count> parseList(const std::string& text, char separator, const char* option,
+                               const char* form) {
     std::array<T, Count> values{};
     const char* at = text.data();
     const char* end = at + text.size();
@@ -54,13 +55,15 @@ const std::map<std::string, restir::Weights> kWeights = {{"off", restir::Weights
                                                          {"basic", restir::Weights::Basic},
                                                          {"balance", restir::Weights::Balance},
                                                          {"pairwise", restir::Weights::Pairwise}};
-const std::map<std::string, restir::VisibilityReuse> kVisibility = {{"none", restir::VisibilityReuse::None},
-                                                                    {"cached", restir::VisibilityReuse::Cached},
-                                                                    {"traced", restir::VisibilityReuse::Traced}};
+const std::map<std::string, restir::VisibilityReuse> kVisibility = {
+    {"none", restir::VisibilityReuse::None},
+    {"cached", restir::VisibilityReuse::Cached},
+    {"traced", restir::VisibilityReuse::Traced}};
 
 // An option whose value is one of a map's keys.
 template <class T>
-void addChoice(CLI::App& app, const char* name, T& value, const std::map<std::string, T>& choices, const char* help) {
+void addChoice(CLI::App& app, const char* name, T& value, const std::map<std::string, T>& choices,
+               const char* help) {
     std::vector<std::string> names;
     std::string list;
     for (const auto& [key, unused] : choices) {
@@ -81,18 +84,23 @@ void addChoice(CLI::App& app, const char* name, T& value, const std::map<std::st
 }
 
 void addPicture(CLI::App& app, Options& options, Texts& texts) {
-    app.add_option("scene", options.scene, "a .gltf or .glb file, or builtin:cornell, builtin:market, builtin:street")
+    app.add_option("scene", options.scene,
+                   "a .gltf or .glb file, or builtin:cornell, builtin:market, builtin:street")
         ->required()
         ->type_name("SCENE");
     app.add_option("--size", texts.size, "picture size in pixels (640x360)")->type_name("WxH");
-    app.add_option("--frames", options.frames, "frames to render (di: 16, else 1)")->check(CLI::Range(1u, 1u << 24));
-    app.add_flag("--accumulate", options.accumulate, "write the mean of all frames, jittered; else the last frame");
+    app.add_option("--frames", options.frames, "frames to render (di: 16, else 1)")
+        ->check(CLI::Range(1u, 1u << 24));
+    app.add_flag("--accumulate", options.accumulate,
+                 "write the mean of all frames, jittered; else the last frame");
     app.add_option("--seed", options.seed, "of all random numbers");
     app.add_option("--move", options.move, "orbit the target by so many degrees a frame")->type_name("DEG");
     auto* camera = app.add_option("--camera", options.camera, "one of the scene's cameras");
     camera->type_name("INDEX");
     app.add_option("--eye", texts.eye, "camera position")->type_name("X,Y,Z")->excludes(camera);
-    app.add_option("--target", texts.target, "what the camera looks at")->type_name("X,Y,Z")->excludes(camera);
+    app.add_option("--target", texts.target, "what the camera looks at")
+        ->type_name("X,Y,Z")
+        ->excludes(camera);
     app.add_option("--fov", options.fov, "vertical field of view (45)")->type_name("DEG")->excludes(camera);
     app.add_flag("--lambert", options.lambert, "make every material a diffuse one of its base colour");
     app.add_option("--env", texts.environment, "environment map")->type_name("FILE.hdr");
@@ -105,8 +113,10 @@ void addPicture(CLI::App& app, Options& options, Texts& texts) {
 
 void addEstimator(CLI::App& app, Options& options, Texts& texts) {
     addChoice(app, "--mode", options.mode, kModes, "estimator (di)");
-    app.add_option("--spp", options.spp, "reference: paths, nee: lights, per pixel and frame")->check(CLI::Range(1u, 65536u));
-    app.add_option("--bounces", options.bounces, "reference: scattering events (1)")->check(CLI::Range(0u, 64u));
+    app.add_option("--spp", options.spp, "reference: paths, nee: lights, per pixel and frame")
+        ->check(CLI::Range(1u, 65536u));
+    app.add_option("--bounces", options.bounces, "reference: scattering events (1)")
+        ->check(CLI::Range(0u, 64u));
     addChoice(app, "--weights", options.di.weights, kWeights, "resampling weights (pairwise)");
     addChoice(app, "--visibility", options.di.visibility, kVisibility, "visibility in reuse (traced)");
     app.add_option("--candidates", options.di.lightCandidates, "light candidates per pixel (16)");
@@ -125,7 +135,8 @@ void applySize(Options& options, const std::string& text) {
     const auto size = parseList<uint32_t, 2>(text, 'x', "--size", "WxH");
     for (uint32_t side : size) {
         if (side >= 1 && side <= kLargestSide) continue;
-        throw std::runtime_error("--size: '" + text + "' has a side outside [1, " + std::to_string(kLargestSide) + "]");
+        throw std::runtime_error("--size: '" + text + "' has a side outside [1, " +
+                                 std::to_string(kLargestSide) + "]");
     }
     options.size = {size[0], size[1]};
 }
@@ -152,7 +163,8 @@ void applyCamera(Options& options, const Texts& texts) {
     if (options.eye.has_value() != options.target.has_value()) {
         throw std::runtime_error("--eye and --target need one another");
     }
-    if (options.eye && *options.eye == *options.target) throw std::runtime_error("--eye and --target are the same point");
+    if (options.eye && *options.eye == *options.target)
+        throw std::runtime_error("--eye and --target are the same point");
     if (!(options.fov > 0 && options.fov < 179)) throw std::runtime_error("--fov: outside (0, 179) degrees");
 }
 
@@ -173,7 +185,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw std::runtime_error(error.what());
     }
-    if (!texts.environment.empty()) throw std::runtime_error("--env: environment lights are not supported yet");
+    if (!texts.environment.empty())
+        throw std::runtime_error("--env: environment lights are not supported yet");
     options.referenceNextEvent = texts.nextEvent != "off";
     applySize(options, texts.size);
     applyMode(options, texts);

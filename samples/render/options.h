@@ -37,8 +37,8 @@ struct Options {
     std::string exr, png, stats;
 };
 
-// Nothing after --help or --version, which are answered here. Throws std::runtime_error for anything that cannot
-// be done.
+// Nothing after --help or --version, which are answered here. Throws std::runtime_error for anything that
+// cannot be done.
 std::optional<Options> parseOptions(int argc, const char* const* argv);
 
 // The view to render: the options' camera, else the scene's first, else one that frames the scene.

@@ -23,7 +23,8 @@ samples::SceneData load(const Options& options) {
 }
 
 samples::FloatImage renderReference(const Options& options, const samples::Device& device,
-                                    const samples::GpuScene& scene, const samples::Sequence& sequence, Report& report) {
+                                    const samples::GpuScene& scene, const samples::Sequence& sequence,
+                                    Report& report) {
     samples::Reference reference(device, scene, options.size);
     const samples::ReferenceSettings settings{
         .paths = options.spp, .bounces = options.bounces, .nextEvent = options.referenceNextEvent};
@@ -97,7 +98,8 @@ void writeFiles(const Options& options, const Outcome& outcome) {
     try {
         write(options.exr, [&](const std::string& path) { samples::writeExr(path, outcome.image); });
         write(options.png, [&](const std::string& path) { samples::writePng(path, outcome.image); });
-        write(options.stats, [&](const std::string& path) { writeText(path, toJson(options, outcome.report)); });
+        write(options.stats,
+              [&](const std::string& path) { writeText(path, toJson(options, outcome.report)); });
     } catch (...) {
         std::error_code ignored;
         for (const std::string& path : written) std::filesystem::remove(path, ignored);

@@ -43,7 +43,8 @@ MemorySums sumUp(const Options& options, const Report& report) {
         sums.total += buffer.bytes;
         if (buffer.perPixel) pixelBytes += buffer.bytes;
     }
-    sums.perPixel = static_cast<double>(pixelBytes) / (static_cast<double>(options.size.width) * options.size.height);
+    sums.perPixel =
+        static_cast<double>(pixelBytes) / (static_cast<double>(options.size.width) * options.size.height);
     return sums;
 }
 
@@ -54,9 +55,10 @@ void printTable(const Options& options, const Report& report) {
                 static_cast<unsigned long long>(report.triangles),
                 static_cast<unsigned long long>(report.emissiveTriangles),
                 static_cast<unsigned long long>(report.lights));
-    std::printf("%ux%u, %u frames in %.1f s, mode %s, on %s\n", options.size.width, options.size.height, options.frames,
-                report.seconds, options.modeName.c_str(), report.device.c_str());
-    if (!report.passes.empty()) std::printf("\n%-20s %10s %10s %10s\n", "pass, GPU ms", "min", "median", "max");
+    std::printf("%ux%u, %u frames in %.1f s, mode %s, on %s\n", options.size.width, options.size.height,
+                options.frames, report.seconds, options.modeName.c_str(), report.device.c_str());
+    if (!report.passes.empty())
+        std::printf("\n%-20s %10s %10s %10s\n", "pass, GPU ms", "min", "median", "max");
     double total = 0;
     for (const samples::PassStats& pass : report.passes) {
         const Spread spread = spreadOf(pass.milliseconds);
@@ -68,11 +70,12 @@ void printTable(const Options& options, const Report& report) {
     std::printf("rays %.0f per frame, %.2f per pixel\n", report.raysPerFrame, report.raysPerFrame / pixels);
     if (!report.buffers.empty()) {
         const MemorySums sums = sumUp(options, report);
-        std::printf("memory %.2f MiB, of which %.1f bytes per pixel\n", static_cast<double>(sums.total) / 1048576.0,
-                    sums.perPixel);
+        std::printf("memory %.2f MiB, of which %.1f bytes per pixel\n",
+                    static_cast<double>(sums.total) / 1048576.0, sums.perPixel);
     }
     if (report.rejectedWeights > 0) {
-        std::printf("weights rejected in the last frame: %llu\n", static_cast<unsigned long long>(report.rejectedWeights));
+        std::printf("weights rejected in the last frame: %llu\n",
+                    static_cast<unsigned long long>(report.rejectedWeights));
     }
     if (options.validate) std::printf("validation messages: %u\n", report.validationMessages);
 }
@@ -89,20 +92,21 @@ std::string toJson(const Options& options, const Report& report) {
     for (const restir::BufferInfo& buffer : report.buffers) {
         buffers.push_back({{"name", buffer.name}, {"bytes", buffer.bytes}});
     }
-    const Json json = {{"device", report.device},
-                       {"driver", report.driver},
-                       {"scene",
-                        {{"triangles", report.triangles},
-                         {"emissiveTriangles", report.emissiveTriangles},
-                         {"lights", report.lights}}},
-                       {"size", {options.size.width, options.size.height}},
-                       {"frames", options.frames},
-                       {"seed", options.seed},
-                       {"mode", options.modeName},
-                       {"passes", passes},
-                       {"raysPerFrame", report.raysPerFrame},
-                       {"memory", {{"totalBytes", sums.total}, {"bytesPerPixel", sums.perPixel}, {"buffers", buffers}}},
-                       {"validationMessages", report.validationMessages}};
+    const Json json = {
+        {"device", report.device},
+        {"driver", report.driver},
+        {"scene",
+         {{"triangles", report.triangles},
+          {"emissiveTriangles", report.emissiveTriangles},
+          {"lights", report.lights}}},
+        {"size", {options.size.width, options.size.height}},
+        {"frames", options.frames},
+        {"seed", options.seed},
+        {"mode", options.modeName},
+        {"passes", passes},
+        {"raysPerFrame", report.raysPerFrame},
+        {"memory", {{"totalBytes", sums.total}, {"bytesPerPixel", sums.perPixel}, {"buffers", buffers}}},
+        {"validationMessages", report.validationMessages}};
     return json.dump(2) + "\n";
 }
 

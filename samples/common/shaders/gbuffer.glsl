@@ -36,7 +36,8 @@ void store(ivec2 at, Surface s, vec3 direction, vec2 unjittered) {
     imageStore(geometricNormalImage, at, encodeNormal(s.geometricNormal));
     imageStore(baseColorImage, at, vec4(sceneBaseColor(material, s.uv), 1.0));
     imageStore(materialImage, at, vec4(sceneGloss(material, s.uv), 0.0));
-    imageStore(motionImage, at, vec4(cameraPixel(previousCamera, s.position, vec2(extent)) - unjittered, 0.0, 0.0));
+    vec2 before = cameraPixel(previousCamera, s.position, vec2(extent));
+    imageStore(motionImage, at, vec4(before - unjittered, 0.0, 0.0));
     imageStore(emissionImage, at, vec4(min(sceneEmission(s, -direction), vec3(kLargestEmission)), 0.0));
 }
 

@@ -88,7 +88,8 @@ vec3 reflected(Vertex v, vec3 direction) {
 // Light arriving by next-event estimation, without visibility; `target` is where the shadow ray ends.
 vec3 lightContribution(Vertex v, out vec3 target) {
     vec4 random = random4();
-    LightSample light = sampleLight(min(uint(random.x * float(lightCount)), lightCount - 1u), random.yz, v.origin);
+    uint index = min(uint(random.x * float(lightCount)), lightCount - 1u);
+    LightSample light = sampleLight(index, random.yz, v.origin);
     target = light.target;
     vec3 f = light.weight > 0.0 ? reflected(v, light.direction) * light.radiance : vec3(0.0);
     if (f == vec3(0.0)) return f;

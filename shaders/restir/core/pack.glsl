@@ -20,7 +20,7 @@ vec3 rsNormalFromOctahedral(vec2 e) {
 uint rsPackNormal(vec3 n) { return packSnorm2x16(rsOctahedralFromNormal(n)); }
 vec3 rsUnpackNormal(uint bits) { return rsNormalFromOctahedral(unpackSnorm2x16(bits)); }
 
-// [0, 1]^3 in 3 x 10 bits over a square root: relative error 0.5 % at 0.01, 0.1 % at 1.
+// [0, 1]^3 in 3 x 10 bits over a square root: relative error 1 % at 0.01, 0.1 % at 1.
 uint rsPackColor(vec3 color) {
     uvec3 q = uvec3(sqrt(rsSaturate(color)) * 1023.0 + 0.5);
     return q.x | (q.y << 10u) | (q.z << 20u);
@@ -31,13 +31,13 @@ vec3 rsUnpackColor(uint bits) {
 }
 
 // Non-negative radiance with a shared exponent, 9 bits a channel (as VK_FORMAT_E5B9G9R9_UFLOAT_PACK32): error at
-// most 1/512 of the largest channel, values above 65,408 saturate.
+// most 1/512 of the largest channel or 2^-25, values above 65,408 saturate.
 uint rsPackRadiance(vec3 radiance) {
     vec3 c = vec3(radiance.x > 0.0 ? min(radiance.x, 65408.0) : 0.0, radiance.y > 0.0 ? min(radiance.y, 65408.0) : 0.0,
                   radiance.z > 0.0 ? min(radiance.z, 65408.0) : 0.0);
     float largest = max(c.x, max(c.y, c.z));
-    if (largest < 3.1e-5) return 0u;
-    int exponent = max(-15, int(floor(log2(largest)))) + 1;
+    if (!(largest > 0.0)) return 0u;
+    int exponent = max(-16, int(floor(log2(largest)))) + 1;
     if (uint(largest * exp2(float(9 - exponent)) + 0.5) >= 512u) exponent++;
     uvec3 q = uvec3(c * exp2(float(9 - exponent)) + 0.5);
     return q.x | (q.y << 9u) | (q.z << 18u) | (uint(exponent + 15) << 27u);

@@ -75,7 +75,8 @@ LightSample samplePunctual(ReferenceLight light, vec3 from) {
         float ratio = distanceSquared / (light.range * light.range);
         window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
     }
-    float cone = clamp(dot(light.direction, -result.direction) * light.coneScale + light.coneOffset, 0.0, 1.0);
+    float cosine = -dot(light.direction, result.direction);
+    float cone = clamp(cosine * light.coneScale + light.coneOffset, 0.0, 1.0);
     result.radiance = light.intensity * window * cone * cone / distanceSquared;
     return result;
 }

@@ -38,7 +38,8 @@ bool sceneHas(uvec2 address) { return (address.x | address.y) != 0u; }
 
 uvec3 sceneCorners(RsInstance instance, uint primitive) {
     Indices indices = Indices(instance.indices);
-    return uvec3(indices.at[3u * primitive], indices.at[3u * primitive + 1u], indices.at[3u * primitive + 2u]);
+    uint first = 3u * primitive;
+    return uvec3(indices.at[first], indices.at[first + 1u], indices.at[first + 2u]);
 }
 
 vec3 scenePoint(RsInstance instance, vec3 p) {
@@ -49,7 +50,9 @@ vec3 scenePoint(RsInstance instance, vec3 p) {
 
 // By the inverse transpose up to a positive factor, so that mirrored instances keep their side.
 vec3 sceneNormal(RsInstance instance, vec3 n) {
-    vec3 x = instance.worldFromObject[0].xyz, y = instance.worldFromObject[1].xyz, z = instance.worldFromObject[2].xyz;
+    vec3 x = instance.worldFromObject[0].xyz;
+    vec3 y = instance.worldFromObject[1].xyz;
+    vec3 z = instance.worldFromObject[2].xyz;
     vec3 yz = cross(y, z);
     vec3 scaled = vec3(dot(yz, n), dot(cross(z, x), n), dot(cross(x, y), n));
     return dot(x, yz) < 0.0 ? -scaled : scaled;

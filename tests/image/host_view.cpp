@@ -1,0 +1,152 @@
+#include "image/host_view.h"
+
+#include <cstring>
+
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+using samples::Access;
+
+constexpr Access kCopyFrom{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
+                           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+constexpr Access kCopyTo{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                         VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+
+VkDeviceSize bytesOf(VkExtent2D extent) { return VkDeviceSize{extent.width} * extent.height * sizeof(glm::vec4); }
+
+VkBufferImageCopy wholeImage(VkExtent2D extent) {
+    return {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1}, .imageExtent = {extent.width, extent.height, 1}};
+}
+
+template <class T>
+std::unique_ptr<T> made(restir::Result<T> result, const char* what) {
+    return std::make_unique<T>(device().require(std::move(result), what));
+}
+
+}   // namespace
+
+restir::ContextDesc HostView::contextDesc() {
+    restir::ContextDesc desc;
+    desc.device = device().sdkInfo();
+    desc.framesInFlight = kSlots;
+    desc.queueFamily = device().queueFamily();
+    desc.maxTextures = 4;
+    return desc;
+}
+
+HostView::HostView(const samples::GpuScene& scene, const samples::View& view, const HostDesc& desc)
+    : scene_(scene), view_(view), desc_(desc) {
+    if (desc_.maxLights == 0) desc_.maxLights = scene.maxLights();
+    for (uint32_t i = 0; i < kSlots; ++i) {
+        targets_[i] = samples::GpuImage(device(), desc.maxExtent, VK_FORMAT_R32G32B32A32_SFLOAT,
+                                        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+        readbacks_[i] = samples::Buffer(device(), {.size = bytesOf(desc.maxExtent),
+                                                   .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                   .memory = samples::MemoryKind::Readback});
+    }
+    restir::ContextDesc contextInfo = contextDesc();
+    contextInfo.device.memory = desc.memory;
+    context_ = made(restir::Context::create(contextInfo), "Context");
+    const restir::SceneDesc sceneInfo{
+        .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
+    sdkScene_ = made(restir::Scene::create(*context_, sceneInfo), "Scene");
+    lights_ = made(restir::LightTable::create(*context_, {.maxLights = desc_.maxLights}), "LightTable");
+    newSession();
+    resize(desc.maxExtent);
+    upload(scene.lights());
+}
+
+HostView::~HostView() { device().waitIdle(); }
+
+void HostView::newSession() {
+    session_.reset();
+    const restir::SessionDesc info{.maxExtent = desc_.maxExtent, .rayLogCapacity = desc_.rayLogCapacity};
+    session_ = made(restir::Session::create(*context_, info), "Session");
+}
+
+void HostView::upload(std::span<const restir::Light> lights) {
+    device().check(lights_->upload(0, lights), "LightTable::upload");
+    device().submitAndWait([&](VkCommandBuffer cmd) { device().check(lights_->record(cmd, 0), "LightTable::record"); });
+}
+
+void HostView::resize(VkExtent2D extent) {
+    extent_ = extent;
+    gbuffers_.push_back(std::make_unique<samples::GBufferPass>(device(), scene_, extent));
+    const samples::CameraPose pose = samples::makePose(view_, extent);
+    device().submitAndWait([&](VkCommandBuffer cmd) {
+        gbuffers_.back()->record(cmd, pose, pose, {0, 0}, restir::Session::inputScope());
+    });
+}
+
+restir::FrameInput HostView::input(uint32_t index) const {
+    restir::FrameInput input;
+    input.frameSlot = index % kSlots;
+    input.frameIndex = index;
+    input.extent = extent_;
+    input.camera = samples::sdkCamera(samples::makePose(view_, extent_), {0, 0});
+    input.gbuffer = gbuffers_.back()->describe();
+    input.tlas = scene_.tlas();
+    input.scene = sdkScene_.get();
+    input.lights = lights_.get();
+    input.output.radiance = targets_[input.frameSlot].view();
+    return input;
+}
+
+void HostView::record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings) {
+    const restir::Scope scope = restir::Session::outputScope();
+    const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
+    const samples::GpuImage& target = targets_[input.frameSlot];
+    samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, {kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED}, written)}});
+    device().check(session_->record(cmd, input, settings), "Session::record");
+    samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, written, kCopyFrom)}});
+    extents_[input.frameSlot] = input.extent;
+    const VkBufferImageCopy region = wholeImage(input.extent);
+    vkCmdCopyImageToBuffer(cmd, target.handle(), kCopyFrom.layout, readbacks_[input.frameSlot].handle(), 1, &region);
+    samples::memoryBarrier(cmd, kCopyTo, {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+}
+
+samples::FloatImage HostView::read(uint32_t slot) const {
+    const VkExtent2D extent = extents_[slot];
+    samples::FloatImage image{extent.width, extent.height, {}};
+    const auto* pixels = reinterpret_cast<const float*>(readbacks_[slot].mapped());
+    for (size_t i = 0; i < size_t{extent.width} * extent.height; ++i)
+        image.rgb.insert(image.rgb.end(), pixels + 4 * i, pixels + 4 * i + 3);
+    return image;
+}
+
+samples::FloatImage HostView::frame(const restir::FrameInput& input, const restir::Settings& settings) {
+    device().submitAndWait([&](VkCommandBuffer cmd) { record(cmd, input, settings); });
+    return read(input.frameSlot);
+}
+
+samples::FloatImage HostView::frames(uint32_t first, uint32_t count, const restir::Settings& settings, uint32_t seed) {
+    samples::FloatImage image;
+    for (uint32_t i = first; i < first + count; ++i) {
+        restir::FrameInput in = input(i);
+        in.seed = seed;
+        image = frame(in, settings);
+    }
+    return image;
+}
+
+samples::GpuImage floatImage(VkExtent2D extent, const std::vector<glm::vec4>& texels) {
+    samples::GpuImage image(device(), extent, VK_FORMAT_R32G32B32A32_SFLOAT,
+                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    const samples::Buffer staging(device(), {.size = bytesOf(extent),
+                                             .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                             .memory = samples::MemoryKind::Upload});
+    std::memcpy(staging.mapped(), texels.data(), bytesOf(extent));
+    const restir::Scope scope = restir::Session::inputScope();
+    const Access read{scope.stages, scope.access, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    device().submitAndWait([&](VkCommandBuffer cmd) {
+        samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, {}, kCopyTo)}});
+        const VkBufferImageCopy region = wholeImage(extent);
+        vkCmdCopyBufferToImage(cmd, staging.handle(), image.handle(), kCopyTo.layout, 1, &region);
+        samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, kCopyTo, read)}});
+    });
+    return image;
+}
+
+}   // namespace tests

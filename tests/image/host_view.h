@@ -1,0 +1,70 @@
+// A small host that drives the SDK itself: a still camera, four frame slots with a target each.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <common/gbuffer.h>
+#include <common/gpu_scene.h>
+#include <common/image_io.h>
+#include <restir/restir.h>
+
+namespace tests {
+
+struct HostDesc {
+    VkExtent2D maxExtent{32, 32};
+    uint32_t maxLights = 0;   // 0: as many as the scene has
+    restir::MemoryProvider memory = {};
+    uint32_t rayLogCapacity = 0;
+};
+
+class HostView {
+public:
+    static constexpr uint32_t kSlots = 4;
+
+    // Uploads the scene's lights. The scene outlives it.
+    HostView(const samples::GpuScene& scene, const samples::View& view, const HostDesc& desc);
+    ~HostView();
+
+    static restir::ContextDesc contextDesc();
+
+    // Replaces the lights, now.
+    void upload(std::span<const restir::Light> lights);
+    // The G-buffer of another extent, from the next input() on.
+    void resize(VkExtent2D extent);
+
+    // A whole frame as frame `index` of a sequence would have it.
+    restir::FrameInput input(uint32_t index) const;
+    // With what the target needs around it.
+    void record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings);
+    samples::FloatImage read(uint32_t slot) const;   // once the GPU is done
+
+    samples::FloatImage frame(const restir::FrameInput& input, const restir::Settings& settings);
+    // `count` frames from `first` on; the last one's picture.
+    samples::FloatImage frames(uint32_t first, uint32_t count, const restir::Settings& settings, uint32_t seed = 0);
+
+    restir::Session& session() { return *session_; }
+    restir::LightTable& lights() { return *lights_; }
+    const restir::Context& context() const { return *context_; }
+    void newSession();
+
+private:
+    const samples::GpuScene& scene_;
+    samples::View view_;
+    HostDesc desc_;
+    VkExtent2D extent_;
+    std::vector<std::unique_ptr<samples::GBufferPass>> gbuffers_;   // the last one counts
+    samples::GpuImage targets_[kSlots];
+    samples::Buffer readbacks_[kSlots];
+    std::array<VkExtent2D, kSlots> extents_{};   // of the frames read back
+    std::unique_ptr<restir::Context> context_;
+    std::unique_ptr<restir::Scene> sdkScene_;
+    std::unique_ptr<restir::LightTable> lights_;
+    std::unique_ptr<restir::Session> session_;
+};
+
+// An image of four floats a pixel, written by the CPU.
+samples::GpuImage floatImage(VkExtent2D extent, const std::vector<glm::vec4>& texels);
+
+}   // namespace tests

@@ -60,7 +60,8 @@ struct GBuffer {
     Image baseColor = {};         // required; rgb in [0, 1], linear once fetched
     // Optional; x perceptual roughness, y metalness, z specular factor, all [0, 1]. Absent: 1, 0, 1.
     Image material = {};
-    // Optional; xy times motionScale = previous minus current position in pixels, y down, without jitter.
+    // Optional; xy times motionScale = previous minus current position in pixels of this
+    // frame's extent, y down, without jitter.
     // Absent: derived from the cameras, right for static geometry.
     Image motion = {};
     Image emission = {};   // optional; emitted radiance towards the camera, below 65,408

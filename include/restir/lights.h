@@ -11,6 +11,11 @@ namespace restir {
 enum class LightKind : uint8_t { Triangle, Point, Spot, Directional };
 
 // One light, in world space. Units as in glTF: what matters is only that all lights agree.
+//
+// With DiSettings::bsdfCandidates rays that hit a light count for part of its share, so every triangle light must be a
+// triangle of the acceleration structure whose RsInstance::firstLight leads to it: the same corners in index order
+// (barycentrics must agree; a mirrored instance needs its index order flipped), black where its material's alpha test
+// fails, and not doubled by a coincident triangle (use twoSided). Lights that rays cannot hit: bsdfCandidates = 0.
 struct Light {
     // Names the light across frames: below LightTableDesc::maxLights, unique in an upload, dense if memory and
     // table time matter. An id may name another light after one upload without it. RsInstance::firstLight
@@ -53,7 +58,8 @@ public:
     LightTable& operator=(LightTable&&) noexcept;
     ~LightTable();   // the GPU is done with its last frame
 
-    // All lights of this frame; those not named are gone. Validates, builds the power-proportional alias table
+    // All lights of this frame; those not named are gone. The GPU is done with the slot's last use, and after a recorded
+    // command buffer that was never submitted the lights must be uploaded again. Validates, builds the power-proportional alias table
     // (Walker 1977, Vose 1991) and copies both to the slot's staging memory; record() must follow. On an error
     // the message sink names the light and the field, and the previous lights stay.
     [[nodiscard]] Status upload(uint32_t frameSlot, std::span<const Light> lights) noexcept;

@@ -9,7 +9,7 @@ namespace restir {
 
 struct SessionDesc {
     VkExtent2D maxExtent = {0, 0};   // pixels; the largest FrameInput::extent
-    // Measuring only: keeps up to so many rays of a frame (32 bytes each) in rayLog(). 0: no memory.
+    // Measuring only: frames with Settings::counters keep up to so many rays (32 bytes each) in rayLog().
     uint32_t rayLogCapacity = 0;
 };
 

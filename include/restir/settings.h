@@ -12,11 +12,13 @@ enum class Weights : uint8_t {
     Pairwise,   // defensive pairwise MIS (Bitterli 2022): the quietest
 };
 
-// What becomes of visibility when samples are reused.
+// What becomes of visibility when samples are reused. A change drops the history.
 enum class VisibilityReuse : uint8_t {
-    None,     // no sample is killed, one ray in the final shading: unbiased, noisier in shadow
+    None,     // no sample is killed, one ray in the final shading (and those of bsdfCandidates): unbiased, noisier
+              // in shadow
     Cached,   // occluded samples are killed, weights ignore it: fast, biased towards darkness
-    Traced,   // weights trace each neighbour's view of a sample: unbiased for static geometry
+    Traced,   // weights trace each neighbour's view of a sample: unbiased while geometry, emission and alpha
+              // textures stand still (last frame's visibility is traced in this frame's scene)
 };
 
 enum class DirectMode : uint8_t {

@@ -75,8 +75,11 @@ Result<bool> Buffers::allocate(std::span<const BufferRequest> requests) noexcept
     if (provider.acquire) {
         for (size_t i = 0; i < requests.size(); ++i) {
             const VkResult vk = provider.acquire(provider.user, requests[i], grants_[i]);
+            if (vk != VK_SUCCESS) grants_[i] = {};
+            const bool mapped = requests[i].use == MemoryUse::DeviceOnly || grants_[i].mapped;
+            if (vk == VK_SUCCESS && (!grants_[i].buffer || !mapped))
+                return failure(device_->sink(), Status::InvalidArgument, "MemoryProvider::acquire gave no buffer or no mapping");
             if (vk != VK_SUCCESS) {
-                grants_[i] = {};
                 return failure(device_->sink(), Status::DeviceError, "MemoryProvider::acquire failed", vk);
             }
         }

@@ -11,7 +11,7 @@ struct Device {
     Functions functions;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
-    bool timestamps = false;   // the queue family has them
+    uint32_t timestampBits = 0;   // of the queue family; 0: no timestamps
 
     const VkAllocationCallbacks* allocator() const noexcept { return info.hostAllocator; }
     const MessageSink& sink() const noexcept { return info.messages; }

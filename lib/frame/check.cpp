@@ -4,6 +4,7 @@
 
 #include <device/internals.h>
 #include <lights/table_impl.h>
+#include <scene/scene_impl.h>
 
 namespace restir {
 namespace {
@@ -25,9 +26,15 @@ Status checkCamera(const MessageSink& sink, const Camera& camera) noexcept {
                                double(v[8]) * (double(v[1]) * v[6] - double(v[5]) * v[2]);
     if (determinant == 0) return refuse(sink, "restir: FrameInput::camera.viewFromWorld is singular");
     if (p[0] == 0 || p[5] == 0) return refuse(sink, "restir: FrameInput::camera.clipFromView has no extent in x or y");
-    const bool perspective = p[11] != 0;
-    if (perspective && std::abs(std::abs(p[11]) - 1) > 1e-4f)
-        return refuse(sink, "restir: FrameInput::camera.clipFromView has clip.w = %g z, must be z or -z", double(p[11]));
+    if (v[3] != 0 || v[7] != 0 || v[11] != 0 || v[15] != 1)
+        return refuse(sink, "restir: FrameInput::camera.viewFromWorld is not affine");
+    const bool perspective = std::abs(std::abs(p[11]) - 1) < 1e-4f && p[15] == 0;
+    const bool orthographic = p[11] == 0 && p[15] == 1;
+    if (!perspective && !orthographic)
+        return refuse(sink, "restir: FrameInput::camera.clipFromView has clip.w = %g z + %g, must be z, -z or 1",
+                      double(p[11]), double(p[15]));
+    if (p[1] != 0 || p[3] != 0 || p[4] != 0 || p[7] != 0)
+        return refuse(sink, "restir: FrameInput::camera.clipFromView mixes x and y, or puts them into clip.w");
     return Status::Ok;
 }
 
@@ -48,6 +55,7 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
         return refuse(sink, "restir: DiSettings::normalThreshold is %g, must be in [-1, 1]", double(di.normalThreshold));
     if (!(di.depthThreshold > 0)) return refuse(sink, "restir: DiSettings::depthThreshold is %g, must be > 0",
                                                 double(di.depthThreshold));
+    if (di.mode > DirectMode::NextEvent) return refuse(sink, "restir: DiSettings::mode is %d", int(di.mode));
     if (di.weights > Weights::Pairwise) return refuse(sink, "restir: DiSettings::weights is %d", int(di.weights));
     if (di.visibility > VisibilityReuse::Traced)
         return refuse(sink, "restir: DiSettings::visibility is %d", int(di.visibility));
@@ -65,7 +73,28 @@ Status checkImages(const MessageSink& sink, const FrameInput& frame) noexcept {
     if (frame.output.origin.x < 0 || frame.output.origin.y < 0)
         return refuse(sink, "restir: FrameInput::output.origin is (%d, %d)", frame.output.origin.x,
                       frame.output.origin.y);
+    if (g.normals > NormalEncoding::OctahedralUnorm)
+        return refuse(sink, "restir: FrameInput::gbuffer.normals is %d", int(g.normals));
+    if (g.depthKind > DepthKind::Linear)
+        return refuse(sink, "restir: FrameInput::gbuffer.depthKind is %d", int(g.depthKind));
     if (!allFinite(g.motionScale, 2)) return refuse(sink, "restir: FrameInput::gbuffer.motionScale is not finite");
+    return Status::Ok;
+}
+
+Status checkObjects(const Session::Impl& s, const FrameInput& frame) noexcept {
+    const MessageSink& sink = s.device().sink();
+    const LightTable::Impl& lights = Internals::of(*frame.lights);
+    if (lights.context != s.context) return refuse(sink, "restir: FrameInput::lights is of another Context");
+    if (lights.uploaded)
+        return refuse(sink, "restir: FrameInput::lights has an upload that LightTable::record has not recorded");
+    if (!s.context->ownsSceneLayout)
+        return frame.bridgeSet ? Status::Ok : refuse(sink, "restir: FrameInput::bridgeSet is null");
+    if (!frame.scene) return refuse(sink, "restir: FrameInput::scene is null");
+    const Scene::Impl& scene = Internals::of(*frame.scene);
+    if (scene.context != s.context) return refuse(sink, "restir: FrameInput::scene is of another Context");
+    if (lights.textures > scene.textures)
+        return refuse(sink, "restir: FrameInput::lights uses texture %u, FrameInput::scene has %u", lights.textures - 1,
+                      scene.textures);
     return Status::Ok;
 }
 
@@ -81,11 +110,8 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
         return refuse(sink, "restir: FrameInput::extent is %u x %u, maxExtent %u x %u", e.width, e.height, max.width,
                       max.height);
     if (!frame.lights) return refuse(sink, "restir: FrameInput::lights is null");
-    if (Internals::of(*frame.lights).uploaded)
-        return refuse(sink, "restir: FrameInput::lights has an upload that LightTable::record has not recorded");
     if (!frame.tlas) return refuse(sink, "restir: FrameInput::tlas is null");
-    if (s.context->ownsSceneLayout && !frame.scene) return refuse(sink, "restir: FrameInput::scene is null");
-    if (!s.context->ownsSceneLayout && !frame.bridgeSet) return refuse(sink, "restir: FrameInput::bridgeSet is null");
+    if (Status status = checkObjects(s, frame); status != Status::Ok) return status;
     if (!std::isfinite(frame.exposure) || frame.exposure < 0)
         return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
     if (Status status = checkImages(sink, frame); status != Status::Ok) return status;
@@ -93,10 +119,10 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
     return checkSettings(sink, settings.di);
 }
 
-bool historyUsable(const Session::Impl& s, const FrameInput& frame) noexcept {
-    if (!s.history.valid || frame.resetHistory) return false;
+bool historyUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+    if (!s.history.valid || frame.resetHistory || s.history.visibility != settings.di.visibility) return false;
     const LightTable::Impl& lights = Internals::of(*frame.lights);
-    return s.history.lights == &lights && lights.generation - s.history.lightGeneration <= 1;
+    return s.history.lights == lights.serial && lights.generation - s.history.lightGeneration <= 1;
 }
 
 }   // namespace restir

@@ -93,7 +93,25 @@ Status queryDevice(Device& device, uint32_t queueFamily) noexcept {
         return refuse(device.sink(), "restir: ContextDesc::queueFamily is %u, the device has %u", queueFamily, count);
     if (!(families[queueFamily].queueFlags & VK_QUEUE_COMPUTE_BIT))
         return refuse(device.sink(), "restir: ContextDesc::queueFamily %u has no compute", queueFamily);
-    device.timestamps = families[queueFamily].timestampValidBits > 0;
+    device.timestampBits = families[queueFamily].timestampValidBits;
+    return Status::Ok;
+}
+
+Status checkLimits(const Context::Impl& c, const ContextDesc& desc) noexcept {
+    const VkPhysicalDeviceLimits& limits = c.device.limits;
+    const uint32_t textures = desc.bridgeSetLayout ? 0 : desc.maxTextures;
+    uint32_t storage = 2, sampled = textures;   // the scene set's
+    for (uint32_t i = 0; i < RS_BIND_COUNT; ++i) {
+        if (bindingType(i) == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER) storage += bindingCount(i);
+        if (bindingType(i) == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE) ++sampled;
+    }
+    const MessageSink& sink = c.device.sink();
+    if (sampled > limits.maxPerStageDescriptorSampledImages || textures > limits.maxPerStageDescriptorSamplers)
+        return refuse(sink, "restir: ContextDesc::maxTextures is %u, this device has %u sampled images and %u samplers a stage",
+                      desc.maxTextures, limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers);
+    if (storage > limits.maxPerStageDescriptorStorageBuffers)
+        return refuse(sink, "restir: the passes bind %u storage buffers, this device has %u a stage", storage,
+                      limits.maxPerStageDescriptorStorageBuffers);
     return Status::Ok;
 }
 
@@ -112,6 +130,7 @@ Result<Context> Context::create(const ContextDesc& desc) noexcept {
     impl->maxTextures = desc.maxTextures;
     if (Status s = queryDevice(impl->device, desc.queueFamily); s != Status::Ok)
         return Error{s, VK_SUCCESS, "the device cannot be used"};
+    if (Status s = checkLimits(*impl, desc); s != Status::Ok) return Error{s, VK_SUCCESS, "the device's limits are too low"};
     if (auto made = makeLayouts(*impl, desc.bridgeSetLayout); !made) return made.error();
     if (auto made = makePipelines(*impl, desc.shaders ? *desc.shaders : kEmbeddedPack); !made) return made.error();
     return Context(std::move(impl));

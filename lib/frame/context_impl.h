@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 
 #include <device/device.h>
 #include <restir/context.h>
@@ -12,6 +13,7 @@ struct Context::Impl {
     Device device;
     uint32_t framesInFlight = 0;
     uint32_t maxTextures = 0;
+    mutable std::atomic<uint64_t> lightTables = 0;   // made so far
     bool ownsSceneLayout = false;
     VkDescriptorSetLayout frameLayout = VK_NULL_HANDLE;   // set 0
     VkDescriptorSetLayout sceneLayout = VK_NULL_HANDLE;   // set 1: ours or the host's bridge's

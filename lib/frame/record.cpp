@@ -100,7 +100,7 @@ void recordPasses(const Session::Impl& s, VkCommandBuffer cmd, const FrameInput&
                      kShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT);
     recorder.resetQueries();
     if (counters) recorder.clearCounters();
-    recorder.bind(frame.scene ? Internals::of(*frame.scene).set : frame.bridgeSet);
+    recorder.bind(s.context->ownsSceneLayout ? Internals::of(*frame.scene).set : frame.bridgeSet);
     for (uint32_t i = 0; i < s.plan.passes.size(); ++i) recorder.pass(s.plan.passes[i], i);
     if (counters) recorder.readCounters();
     recorder.endLabel();
@@ -113,7 +113,7 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
     if (!cmd) return refuse(s.device().sink(), "restir: Session::record: cmd is null");
     if (auto planned = plan(frame, settings); !planned) return planned.error().status;
     const LightTable::Impl& lights = Internals::of(*frame.lights);
-    const bool history = historyUsable(s, frame);
+    const bool history = historyUsable(s, frame, settings);
     const uint32_t surfaces = 1 - s.history.surfaces;
 
     const gpu::RsFrame constants = makeConstants(s, frame, settings, history);
@@ -130,8 +130,9 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
                  .reservoirs = s.plan.historyOut,
                  .extent = frame.extent,
                  .view = constants.view,
-                 .lights = &lights,
-                 .lightGeneration = lights.generation};
+                 .lights = lights.serial,
+                 .lightGeneration = lights.generation,
+                 .visibility = settings.di.visibility};
     return Status::Ok;
 }
 

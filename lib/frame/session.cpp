@@ -55,7 +55,7 @@ VkResult makeSets(Session::Impl& s) noexcept {
 VkResult makeQueries(Session::Impl& s) noexcept {
     const Context::Impl& c = *s.context;
     s.timedPasses.resize(c.framesInFlight);
-    if (!c.device.timestamps) return VK_SUCCESS;
+    if (c.device.timestampBits == 0) return VK_SUCCESS;
     const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                                      .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                      .queryCount = 2 * kMaxTimedPasses * c.framesInFlight};
@@ -110,6 +110,8 @@ Result<Session> Session::create(const Context& context, const SessionDesc& desc)
     auto buffers = Buffers::create(c.device, requests);
     if (!buffers) return buffers.error();
     impl->buffers = std::move(*buffers);
+    for (uint32_t slot = 0; slot < c.framesInFlight; ++slot)
+        *impl->buffers.mapped<gpu::RsCounters>(impl->readbackOf(slot)) = {};
     for (size_t i = 0; i < requests.size(); ++i)
         impl->report.push_back({requests[i].name, requests[i].size, i < size_t(SessionBuffer::Counters)});
     if (VkResult vk = makeSets(*impl); vk != VK_SUCCESS)
@@ -129,7 +131,7 @@ Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const S
     if (Status status = checkFrame(s, frame, settings); status != Status::Ok)
         return Error{status, VK_SUCCESS, "FrameInput or Settings is invalid"};
     s.plan = makePlan({.extent = frame.extent,
-                       .history = historyUsable(s, frame),
+                       .history = historyUsable(s, frame, settings),
                        .historyIn = s.history.reservoirs},
                       settings);
     return std::span<const PassInfo>(s.plan.passes);
@@ -145,8 +147,9 @@ std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {
         s.device().info.device, s.queries, frameSlot * 2 * kMaxTimedPasses, uint32_t(stamps.size()),
         stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
     if (vk != VK_SUCCESS) return {};
+    const uint64_t mask = ~uint64_t(0) >> (64 - s.device().timestampBits);
     for (size_t i = 0; i < passes.size(); ++i) {
-        const double ticks = double(stamps[2 * i + 1] - stamps[2 * i]);
+        const double ticks = double((stamps[2 * i + 1] - stamps[2 * i]) & mask);
         s.timings.push_back({passes[i], ticks * double(s.device().limits.timestampPeriod) * 1e-6});
     }
     return s.timings;
@@ -155,7 +158,7 @@ std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {
 Counters Session::counters(uint32_t frameSlot) const noexcept {
     if (frameSlot >= impl_->sets.size()) return {};
     const auto* c = impl_->buffers.mapped<const gpu::RsCounters>(impl_->readbackOf(frameSlot));
-    return {.rays = c->rays, .rejectedWeights = c->rejectedWeights, .loggedRays = c->loggedRays};
+    return {.rays = c->rays, .rejectedWeights = c->rejectedWeights, .loggedRays = std::min(c->loggedRays, impl_->desc.rayLogCapacity)};
 }
 
 std::span<const BufferInfo> Session::memory() const noexcept { return impl_->report; }

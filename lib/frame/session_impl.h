@@ -32,8 +32,9 @@ struct History {
     uint32_t reservoirs = 0;    // which of the two reservoir buffers
     VkExtent2D extent = {0, 0};
     gpu::RsView view{};
-    const void* lights = nullptr;   // the table it was drawn from, and that table's generation
+    uint64_t lights = 0;   // serial of the table it was drawn from, and that table's generation
     uint64_t lightGeneration = 0;
+    VisibilityReuse visibility = VisibilityReuse::None;   // whether its samples were killed
 };
 
 struct Session::Impl {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/glm.hpp>
+
 #include <lights/alias.h>
 
 namespace restir {
@@ -13,21 +15,24 @@ using gpu::vec3;
 
 vec3 toVec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 vec3 minus(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double length(vec3 v) { return std::sqrt(double(v.x) * v.x + double(v.y) * v.y + double(v.z) * v.z); }
-vec3 scaled(vec3 v, double s) { return {float(v.x * s), float(v.y * s), float(v.z * s)}; }
-vec3 cross(vec3 a, vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-double luminance(vec3 c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+glm::dvec3 toDouble(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
+double luminance(const float (&c)[3]) { return 0.2126 * double(c[0]) + 0.7152 * double(c[1]) + 0.0722 * double(c[2]); }
 
 double areaOf(const Light& triangle) {
-    const vec3 p = toVec3(triangle.position);
-    return 0.5 * length(cross(minus(toVec3(triangle.vertex1), p), minus(toVec3(triangle.vertex2), p)));
+    const glm::dvec3 p = toDouble(triangle.position);
+    return 0.5 * glm::length(glm::cross(toDouble(triangle.vertex1) - p, toDouble(triangle.vertex2) - p));
 }
 
 bool isFinite(const float (&v)[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
+// The longest edge whose squares and products stay finite in the shaders.
+constexpr float kLongestEdge = 1e9f;
+
+bool edgeFits(const float (&a)[3], const float (&b)[3]) { return glm::length(toDouble(a) - toDouble(b)) <= double(kLongestEdge); }
+
 // Null if the light is good, else the field that is not.
-const char* badField(const Light& light, uint32_t maxLights) {
-    if (light.id >= maxLights) return "id (at least LightTableDesc::maxLights)";
+const char* badField(const Light& light, const LightLimits& limits) {
+    if (light.id >= limits.lights) return "id (at least LightTableDesc::maxLights)";
     if (light.kind > LightKind::Directional) return "kind";
     for (float e : light.emission)
         if (!std::isfinite(e) || e < 0) return "emission";
@@ -35,14 +40,18 @@ const char* badField(const Light& light, uint32_t maxLights) {
     if (light.kind == LightKind::Triangle) {
         if (!isFinite(light.vertex1)) return "vertex1";
         if (!isFinite(light.vertex2)) return "vertex2";
-        if (!std::isfinite(areaOf(light))) return "vertex1 / vertex2 (the area overflows)";
-        if (std::isnan(light.meanLuminance) || std::isinf(light.meanLuminance)) return "meanLuminance";
-        if (light.texture != RS_NO_TEXTURE && light.texture >= RS_LIGHT_NO_TEXTURE) return "texture";
+        if (!edgeFits(light.position, light.vertex1)) return "vertex1 (too far from position)";
+        if (!edgeFits(light.position, light.vertex2)) return "vertex2 (too far from position)";
+        if (!std::isfinite(light.meanLuminance)) return "meanLuminance";
+        if (light.texture == RS_NO_TEXTURE && light.meanLuminance == 0 && luminance(light.emission) > 0)
+            return "meanLuminance (0, but it emits)";
+        if (light.texture != RS_NO_TEXTURE && light.texture >= limits.textures)
+            return "texture (at least ContextDesc::maxTextures)";
         for (const auto& uv : light.uv)
             if (!std::isfinite(uv[0]) || !std::isfinite(uv[1])) return "uv";
         return nullptr;
     }
-    if (light.kind != LightKind::Point && (!isFinite(light.direction) || !(length(toVec3(light.direction)) > 0)))
+    if (light.kind != LightKind::Point && (!isFinite(light.direction) || !(glm::length(toDouble(light.direction)) > 0)))
         return "direction";
     if (light.kind != LightKind::Directional && (!std::isfinite(light.range) || light.range < 0)) return "range";
     if (light.kind == LightKind::Spot &&
@@ -54,7 +63,7 @@ const char* badField(const Light& light, uint32_t maxLights) {
 // Radiant power by luminance; directional lights wait for the extent of the others.
 double powerOf(const Light& light) {
     constexpr double pi = std::numbers::pi;
-    const double shine = luminance(toVec3(light.emission));
+    const double shine = luminance(light.emission);
     switch (light.kind) {
         case LightKind::Triangle: {
             const double mean = light.meanLuminance < 0 ? shine : double(light.meanLuminance);
@@ -90,8 +99,8 @@ gpu::RsPackedLight packLight(const Light& light) {
     packed.position = toVec3(light.position);
     packed.emission = toVec3(light.emission);
     uint32_t kind = RS_LIGHT_TRIANGLE, texture = RS_LIGHT_NO_TEXTURE;
-    const double axisLength = length(toVec3(light.direction));
-    const vec3 axis = axisLength > 0 ? scaled(toVec3(light.direction), 1 / axisLength) : vec3{};
+    const glm::dvec3 unit = glm::normalize(toDouble(light.direction));
+    const vec3 axis{float(unit.x), float(unit.y), float(unit.z)};
     switch (light.kind) {
         case LightKind::Triangle:
             packed.edge1 = minus(toVec3(light.vertex1), packed.position);
@@ -121,11 +130,11 @@ gpu::RsPackedLight packLight(const Light& light) {
     return packed;
 }
 
-Status check(const MessageSink& sink, uint32_t maxLights, std::span<const Light> lights, uint32_t& columns) {
-    std::vector<bool> seen(maxLights);
+Status check(const MessageSink& sink, const LightLimits& limits, std::span<const Light> lights, uint32_t& columns) {
+    std::vector<bool> seen(limits.lights);
     columns = 0;
     for (size_t i = 0; i < lights.size(); ++i) {
-        if (const char* field = badField(lights[i], maxLights))
+        if (const char* field = badField(lights[i], limits))
             return refuse(sink, "restir: light %zu (id %u): bad %s", i, lights[i].id, field);
         if (seen[lights[i].id])
             return refuse(sink, "restir: light %zu: id %u names another light already", i, lights[i].id);
@@ -137,14 +146,16 @@ Status check(const MessageSink& sink, uint32_t maxLights, std::span<const Light>
 
 }   // namespace
 
-Status packLights(const MessageSink& sink, uint32_t maxLights, std::span<const Light> lights, PackedLights& packed) {
+Status packLights(const MessageSink& sink, const LightLimits& limits, std::span<const Light> lights, PackedLights& packed) {
     uint32_t columns = 0;
-    if (Status s = check(sink, maxLights, lights, columns); s != Status::Ok) return s;
+    if (Status s = check(sink, limits, lights, columns); s != Status::Ok) return s;
     const double area = sceneArea(lights);
-    packed.lights.assign(columns + 1, {});
+    packed.lights.assign(columns, {});
+    packed.textures = 0;
     std::vector<double> power(columns);
     for (const Light& light : lights) {
         packed.lights[light.id] = packLight(light);
+        if (light.texture != RS_NO_TEXTURE) packed.textures = std::max(packed.textures, light.texture + 1);
         power[light.id] = powerOf(light) * (light.kind == LightKind::Directional ? area : 1);
     }
     packed.alias = makeAliasTable(power);

@@ -11,11 +11,17 @@
 namespace restir {
 
 struct PackedLights {
-    std::vector<gpu::RsPackedLight> lights;   // by id; one RS_LIGHT_NONE past the last
+    std::vector<gpu::RsPackedLight> lights;   // by id; RS_LIGHT_NONE in the gaps
     std::vector<gpu::RsAliasEntry> alias;     // one column per id; empty if nothing shines
+    uint32_t textures = 0;                    // one more than the largest index
+};
+
+struct LightLimits {
+    uint32_t lights = 0;     // ids are below
+    uint32_t textures = 0;   // so are texture indices
 };
 
 // Names the light and the field if one is bad, and leaves `packed` alone.
-Status packLights(const MessageSink& sink, uint32_t maxLights, std::span<const Light> lights, PackedLights& packed);
+Status packLights(const MessageSink& sink, const LightLimits& limits, std::span<const Light> lights, PackedLights& packed);
 
 }   // namespace restir

@@ -16,7 +16,7 @@ constexpr uint32_t kMaxLights = 1u << 20;
 constexpr VkDeviceSize kLightBytes = sizeof(gpu::RsPackedLight);
 
 std::vector<BufferRequest> requestsOf(uint32_t framesInFlight, uint32_t maxLights) {
-    const VkDeviceSize lights = (VkDeviceSize(maxLights) + 1) * kLightBytes;
+    const VkDeviceSize lights = std::max<VkDeviceSize>(maxLights, 1) * kLightBytes;
     const VkDeviceSize alias = std::max<VkDeviceSize>(maxLights, 1) * sizeof(gpu::RsAliasEntry);
     const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     std::vector<BufferRequest> requests = {{lights, usage, MemoryUse::DeviceOnly, "lights 0"},
@@ -58,7 +58,9 @@ Result<LightTable> LightTable::create(const Context& context, const LightTableDe
         return Error{Status::InvalidArgument, VK_SUCCESS, "LightTableDesc::maxLights is too large"};
     }
     auto impl = std::make_unique<Impl>();
+    impl->context = &c;
     impl->device = &c.device;
+    impl->serial = ++c.lightTables;
     impl->framesInFlight = c.framesInFlight;
     impl->maxLights = desc.maxLights;
     auto buffers = Buffers::create(c.device, requestsOf(c.framesInFlight, desc.maxLights));
@@ -77,12 +79,15 @@ Status LightTable::upload(uint32_t frameSlot, std::span<const Light> lights) noe
     if (frameSlot >= t.framesInFlight)
         return refuse(t.device->sink(), "restir: LightTable::upload: frameSlot is %u, framesInFlight is %u", frameSlot,
                       t.framesInFlight);
-    if (Status s = packLights(t.device->sink(), t.maxLights, lights, t.packed); s != Status::Ok) return s;
+    const LightLimits limits{.lights = t.maxLights,
+                             .textures = t.context->ownsSceneLayout ? t.context->maxTextures : RS_LIGHT_NO_TEXTURE};
+    if (Status s = packLights(t.device->sink(), limits, lights, t.packed); s != Status::Ok) return s;
     auto* staging = t.buffers.mapped<uint8_t>(kStaging + frameSlot);
     const size_t lightBytes = t.packed.lights.size() * kLightBytes;
-    std::memcpy(staging, t.packed.lights.data(), lightBytes);
-    if (!t.packed.alias.empty())
+    if (!t.packed.alias.empty()) {
+        std::memcpy(staging, t.packed.lights.data(), lightBytes);
         std::memcpy(staging + lightBytes, t.packed.alias.data(), t.packed.alias.size() * sizeof(gpu::RsAliasEntry));
+    }
     t.uploaded = true;
     t.uploadSlot = frameSlot;
     return Status::Ok;
@@ -99,14 +104,15 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
     ++t.generation;
     t.previousCount = t.count;
     t.count = uint32_t(t.packed.alias.size());
+    t.textures = t.packed.textures;
 
     const Functions& f = t.device->functions;
     const VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, copy = VK_PIPELINE_STAGE_2_COPY_BIT;
     barrier(f, cmd, compute | copy, VK_ACCESS_2_TRANSFER_WRITE_BIT, copy, VK_ACCESS_2_TRANSFER_WRITE_BIT);
     const VkBuffer staging = t.buffers.buffer(kStaging + frameSlot);
-    const VkBufferCopy lights{.size = t.packed.lights.size() * kLightBytes};
-    f.vkCmdCopyBuffer(cmd, staging, t.current(), 1, &lights);
-    if (!t.packed.alias.empty()) {
+    if (t.count > 0) {
+        const VkBufferCopy lights{.size = t.packed.lights.size() * kLightBytes};
+        f.vkCmdCopyBuffer(cmd, staging, t.current(), 1, &lights);
         const VkBufferCopy alias{.srcOffset = lights.size, .size = t.packed.alias.size() * sizeof(gpu::RsAliasEntry)};
         f.vkCmdCopyBuffer(cmd, staging, t.alias(), 1, &alias);
     }

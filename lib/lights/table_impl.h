@@ -7,7 +7,9 @@
 namespace restir {
 
 struct LightTable::Impl {
+    const Context::Impl* context = nullptr;
     const Device* device = nullptr;
+    uint64_t serial = 0;   // tells tables apart, whatever their addresses
     uint32_t framesInFlight = 0;
     uint32_t maxLights = 0;
     Buffers buffers;   // see Slot in table.cpp
@@ -17,6 +19,7 @@ struct LightTable::Impl {
     uint64_t generation = 0;      // of the recorded lights; 0: none yet
     uint32_t count = 0;           // columns of the alias table, this generation and the last
     uint32_t previousCount = 0;
+    uint32_t textures = 0;        // one more than the largest texture index, this generation
 
     VkBuffer current() const noexcept;
     VkBuffer previous() const noexcept;

@@ -69,7 +69,9 @@ Result<Scene> Scene::create(const Context& context, const SceneDesc& desc) noexc
     const Context::Impl& c = Internals::of(context);
     if (Status s = checkDesc(c, desc); s != Status::Ok) return Error{s, VK_SUCCESS, "SceneDesc is invalid"};
     auto impl = std::make_unique<Impl>();
+    impl->context = &c;
     impl->device = &c.device;
+    impl->textures = uint32_t(desc.textures.size());
     if (VkResult vk = allocateSet(c, impl->pool, impl->set); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "allocating the scene's descriptor set failed", vk);
     c.device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleValue(impl->set), "scene");

@@ -6,7 +6,9 @@
 namespace restir {
 
 struct Scene::Impl {
+    const Context::Impl* context = nullptr;
     const Device* device = nullptr;
+    uint32_t textures = 0;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE;
 

@@ -73,6 +73,7 @@ public:
 
     void run() {
         cost();
+        if (options_.referenceFrames == 0) return;
         const FloatImage reference = makeReference();
         const double di = error(settings(), options_.frames, reference);
         const double diTime = frameTime(renderer_.stats());
@@ -170,7 +171,7 @@ int main(int argc, char** argv) {
     app.add_option("--height", options.height)->check(CLI::Range(1, 4096));
     app.add_option("--frames", options.frames, "of history before the one measured")->check(CLI::Range(2, 10000));
     app.add_option("--seeds", options.seeds)->check(CLI::Range(1, 10000));
-    app.add_option("--reference-frames", options.referenceFrames)->check(CLI::Range(1, 100000));
+    app.add_option("--reference-frames", options.referenceFrames, "averaged into R; 0: cost only")->check(CLI::Range(0, 100000));
     app.add_option("--move", options.move, "degrees a frame");
     app.add_option("--candidates", options.di.lightCandidates);
     app.add_option("--bsdf-candidates", options.di.bsdfCandidates);

@@ -90,7 +90,7 @@ void printSdkMessage(void* user, restir::Severity severity, const char* text) {
     if (severity == restir::Severity::Error) {
         *static_cast<std::string*>(user) = text;
     } else if (severity == restir::Severity::Warning) {
-        std::fprintf(stderr, "restir: %s\n", text);
+        std::fprintf(stderr, "%s\n", text);
     }
 }
 
@@ -257,7 +257,7 @@ restir::DeviceInfo Device::sdkInfo() {
 }
 
 void Device::fail(const restir::Error& error, const char* what) const {
-    throw std::runtime_error(std::string(what) + ": " + (sdkError_.empty() ? error.what : sdkError_.c_str()));
+    throw std::runtime_error(sdkError_.empty() ? std::string(what) + ": " + error.what : sdkError_);
 }
 
 void Device::check(restir::Status status, const char* what) const {

@@ -10,8 +10,7 @@ constexpr Access kCopy{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_B
 }   // namespace
 
 FrameLoop::FrameLoop(const Device& device, VkExtent2D extent)
-    : device_(device),
-      extent_(extent),
+    : extent_(extent),
       target_(device, extent, VK_FORMAT_R32G32B32A32_SFLOAT,
               VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT),
       slots_(device) {

@@ -50,7 +50,6 @@ private:
     void submit(const Frame& frame, const FrameCallbacks& callbacks);
     void finish(const Sequence& sequence, const Frame& frame, const FrameCallbacks& callbacks);
 
-    const Device& device_;
     VkExtent2D extent_;
     GpuImage target_;
     Buffer readback_[FrameSlots::kCount];

@@ -20,7 +20,8 @@ VkMemoryPropertyFlags wanted(MemoryKind kind) {
 uint32_t findMemoryType(const Device& device, uint32_t allowed, MemoryKind kind) {
     VkPhysicalDeviceMemoryProperties memory;
     vkGetPhysicalDeviceMemoryProperties(device.physical(), &memory);
-    for (VkMemoryPropertyFlags flags : {wanted(kind), wanted(kind) & ~VK_MEMORY_PROPERTY_HOST_CACHED_BIT}) {
+    const VkMemoryPropertyFlags cached = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+    for (VkMemoryPropertyFlags flags : {wanted(kind), wanted(kind) & ~cached}) {   // second choice: uncached
         for (uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
             const bool fits = (memory.memoryTypes[i].propertyFlags & flags) == flags;
             if ((allowed >> i & 1u) && fits) return i;

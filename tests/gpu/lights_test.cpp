@@ -31,7 +31,7 @@ struct Result {
 
 RsPackedLight packed(const Light& light) {
     restir::PackedLights result;
-    EXPECT_EQ(restir::packLights({}, 1, {&light, 1}, result), restir::Status::Ok);
+    EXPECT_EQ(restir::packLights({}, {.lights = 1, .textures = 8}, {&light, 1}, result), restir::Status::Ok);
     return result.lights[0];
 }
 
@@ -152,7 +152,7 @@ void expectPunctual(const Light& light) {
         if (light.kind == LightKind::Directional) continue;
         const glm::vec3 toLight = glm::vec3(light.position[0], light.position[1], light.position[2]) - kReceivers[i];
         EXPECT_NEAR(results[i].distance, glm::length(toLight), 1e-5);
-        if (expected.x > 0) EXPECT_LT(glm::distance(results[i].direction, glm::normalize(toLight)), 1e-5);
+        EXPECT_LT(glm::distance(results[i].direction, glm::normalize(toLight)), 1e-5);
     }
 }
 

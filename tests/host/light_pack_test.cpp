@@ -17,7 +17,7 @@ using restir::Status;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr uint32_t kMaxLights = 64;
+constexpr uint32_t kMaxLights = 64, kMaxTextures = 100;
 
 class LightPack : public ::testing::Test {
 protected:
@@ -27,7 +27,7 @@ protected:
                                            EXPECT_EQ(severity, restir::Severity::Error);
                                            static_cast<LightPack*>(user)->said_ += text;
                                        }};
-        return restir::packLights(sink, kMaxLights, lights, packed_);
+        return restir::packLights(sink, {.lights = kMaxLights, .textures = kMaxTextures}, lights, packed_);
     }
     const restir::gpu::RsPackedLight& at(uint32_t id) const { return packed_.lights[id]; }
     double selectionSum() const {
@@ -66,7 +66,8 @@ std::vector<BadLight> badLights() {
         {"vertex2", K::Triangle, [](Light& l) { l.vertex2[2] = kInfinity; }},
         {"meanLuminance", K::Triangle, [](Light& l) { l.meanLuminance = kNan; }},
         {"meanLuminance", K::Triangle, [](Light& l) { l.meanLuminance = kInfinity; }},
-        {"texture", K::Triangle, [](Light& l) { l.texture = RS_LIGHT_NO_TEXTURE; }},
+        {"meanLuminance", K::Triangle, [](Light& l) { l.meanLuminance = 0; }},
+        {"texture", K::Triangle, [](Light& l) { l.texture = kMaxTextures; }},
         {"uv", K::Triangle, [](Light& l) { l.uv[2][1] = kNan; }},
         {"direction", K::Spot, [](Light& l) { l.direction[2] = 0; }},
         {"direction", K::Directional, [](Light& l) { l.direction[0] = kNan; }},
@@ -119,9 +120,9 @@ TEST_F(LightPack, AnErrorChangesNothing) {
 
 TEST_F(LightPack, GapsInTheIdsHoldNoLight) {
     ASSERT_EQ(pack({triangle(6), triangle(2)}), Status::Ok);
-    ASSERT_EQ(packed_.lights.size(), 8u);
+    ASSERT_EQ(packed_.lights.size(), 7u);
     ASSERT_EQ(packed_.alias.size(), 7u);
-    for (uint32_t id : {0u, 1u, 3u, 4u, 5u, 7u}) {
+    for (uint32_t id : {0u, 1u, 3u, 4u, 5u}) {
         EXPECT_EQ(at(id).kindAndTexture & RS_LIGHT_KIND_MASK, RS_LIGHT_NONE) << id;
         EXPECT_EQ(at(id).selection, 0) << id;
     }
@@ -131,7 +132,7 @@ TEST_F(LightPack, GapsInTheIdsHoldNoLight) {
 
 TEST_F(LightPack, NoLightsAndBlackLights) {
     ASSERT_EQ(pack({}), Status::Ok);
-    EXPECT_EQ(packed_.lights.size(), 1u);
+    EXPECT_TRUE(packed_.lights.empty());
     EXPECT_TRUE(packed_.alias.empty());
     Light black = triangle(3);
     for (float& e : black.emission) e = 0;
@@ -152,8 +153,8 @@ TEST_F(LightPack, DegenerateTrianglesAreNeverDrawn) {
     EXPECT_EQ(at(2).selection, 1);
 }
 
-// Finite corners whose area is not: as a weight it would take the light of all the others.
-TEST_F(LightPack, RefusesTrianglesWhoseAreaOverflows) {
+// Finite corners whose area is not.
+TEST_F(LightPack, RefusesTrianglesTooLargeForTheShaders) {
     const Light infinite{.id = 0, .position = {-1e25f, 0, 0}, .vertex1 = {1e25f, 1e25f, 1e25f}, .vertex2 = {0, 0, -1e25f}};
     const Light undefined{.id = 0, .vertex1 = {1e25f, 1e25f, 1e25f}, .vertex2 = {1e25f, 2e25f, 3e25f}};
     for (const Light& huge : {infinite, undefined}) {
@@ -192,7 +193,9 @@ TEST_F(LightPack, TriangleFields) {
     EXPECT_EQ(at(0).edge2.y, 2);
     EXPECT_EQ(at(0).uv1.x, 0.25f);
     EXPECT_EQ(at(0).uv2.y, 0.75f);
+    EXPECT_EQ(packed_.textures, 78u);
     ASSERT_EQ(pack({triangle(0)}), Status::Ok);
+    EXPECT_EQ(packed_.textures, 0u);
     EXPECT_EQ(at(0).kindAndTexture >> RS_LIGHT_TEXTURE_SHIFT, RS_LIGHT_NO_TEXTURE);
 }
 

@@ -101,8 +101,9 @@ void HostView::record(VkCommandBuffer cmd, const restir::FrameInput& input, cons
     samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, {kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED}, written)}});
     device().check(session_->record(cmd, input, settings), "Session::record");
     samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, written, kCopyFrom)}});
-    extents_[input.frameSlot] = input.extent;
-    const VkBufferImageCopy region = wholeImage(input.extent);
+    VkExtent2D& extent = extents_[input.frameSlot];
+    extent = {input.extent.width + uint32_t(input.output.origin.x), input.extent.height + uint32_t(input.output.origin.y)};
+    const VkBufferImageCopy region = wholeImage(extent);
     vkCmdCopyImageToBuffer(cmd, target.handle(), kCopyFrom.layout, readbacks_[input.frameSlot].handle(), 1, &region);
     samples::memoryBarrier(cmd, kCopyTo, {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }

@@ -96,8 +96,8 @@ std::vector<Light> oneOfEach() {
     Light directional{.id = 2, .kind = LightKind::Directional};
     set(directional.direction, {0.3f, -2, -0.5f});
     set(directional.emission, {3, 2, 1});
-    Light ranged = pointLight(3, {-0.2f, 1, -0.2f}, {1, 2, 3});
-    ranged.range = 1.4f;
+    Light ranged = pointLight(3, {-0.3f, 1.5f, 0.2f}, {1, 2, 3});
+    ranged.range = 1.9f;
     return {pointLight(0, {0.4f, 1.3f, -0.5f}, {2, 3, 4}), spot, directional, ranged};
 }
 
@@ -169,7 +169,7 @@ TEST_F(Lights, MovingOneKeepsItsId) {
 // 40 slots; a slot that was free last frame gets a new light with probability one half, one in use loses it
 // likewise: ids name other lights after one upload without them, as the contract says.
 TEST_F(Lights, ChurnOfIdsStaysUnbiased) {
-    constexpr uint32_t kPictures = 64, kSlots = 40, kChurn = 8;
+    constexpr uint32_t kPictures = 128, kSlots = 40, kChurn = 8;
     std::vector<SeedStatistics> statistics(1);
     samples::FloatImage expected;
     for (uint32_t seed = 1; seed <= kPictures; ++seed) {

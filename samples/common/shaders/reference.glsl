@@ -153,14 +153,24 @@ vec3 tracePath(vec3 origin, vec3 direction, inout uint rays) {
     return radiance;
 }
 
+// Where path `index` of the pixel's whole sequence starts, in the pixel: the R2 sequence (Roberts 2018), begun at a
+// random place, covers it more evenly than independent points.
+vec2 pixelOffset(uint pixelIndex, uint index) {
+    if ((flags & kJitter) == 0u) return vec2(0.5);
+    randomState = uvec4(pixelIndex, 0xffffffffu, seed, 0u);
+    uvec2 start = uvec2(random4().xy * 16777216.0) << 8;
+    return vec2((start + index * uvec2(3242174889u, 2447445414u)) >> 8) * (1.0 / 16777216.0);
+}
+
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, extent))) return;
     vec3 sum = vec3(0.0);
     uint rays = 0u;
+    uint pixelIndex = pixel.y * extent.x + pixel.x;
     for (uint path = 0u; path < paths; ++path) {
-        randomState = uvec4(pixel.y * extent.x + pixel.x, frame, seed ^ (path << 8), 0u);
-        vec2 offset = (flags & kJitter) != 0u ? random4().xy : vec2(0.5);
+        vec2 offset = pixelOffset(pixelIndex, frame * paths + path);
+        randomState = uvec4(pixelIndex, frame, seed ^ (path << 8), 0u);
         sum += tracePath(camera.eye, cameraDirection(camera, vec2(pixel) + offset, vec2(extent)), rays);
     }
     imageStore(radianceImage, ivec2(pixel), vec4(sum / float(max(paths, 1u)), float(rays)));

@@ -12,8 +12,9 @@ void main() {
     float expectedDepth = rsDepthOf(rsFrame.previousView, s.position);
     vec2 previousPixel = rsPixelOf(rsFrame.previousView, rsFrame.previousExtent, s.position);
     if ((rsFrame.flags & RS_FRAME_MOTION) != 0u) {
-        vec2 jitter = 0.5 * (rsFrame.previousView.jitter * vec2(rsFrame.previousExtent) - rsFrame.view.jitter * vec2(rsFrame.extent));
-        previousPixel = vec2(pixel) + 0.5 + unpackHalf2x16(rsSurfacesFrame[rsIndex(pixel)].x) + jitter;
+        vec2 motion = unpackHalf2x16(rsSurfacesFrame[rsIndex(pixel)].x);
+        vec2 at = (vec2(pixel) + 0.5 + motion) / vec2(rsFrame.extent) - 0.5 * rsFrame.view.jitter;
+        previousPixel = (at + 0.5 * rsFrame.previousView.jitter) * vec2(rsFrame.previousExtent);
     }
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_TEMPORAL);
     RsReservoir fresh = rsReservoirs[rsPass.target].at[rsIndex(pixel)];

@@ -3,10 +3,14 @@
 #define RS_PASS_SURFACE
 #include "passes/bindings.glsl"
 
+bool isUnit(vec3 n) { return abs(dot(n, n) - 1.0) < 0.01; }   // false for NaN
+
 void main() {
     if (!rsInside()) return;
     uvec2 pixel = gl_GlobalInvocationID.xy;
     RsSurfaceInput host = rsBridgeSurface(pixel);
+    host.surface.valid = host.surface.valid && host.surface.depth > 0.0 && host.surface.depth < RS_FAR &&
+                         isUnit(host.surface.normal) && isUnit(host.surface.geometricNormal);
     if (host.surface.valid) {
         host.surface.position = rsPositionFromDepth(rsFrame.view, rsFrame.extent, vec2(pixel) + 0.5, host.surface.depth);
         host.surface.view = rsTowardsEye(rsFrame.view, host.surface.position);

@@ -17,8 +17,6 @@ vec3 rsDecodeNormal(vec3 stored, uint encoding) {
     return normalize(stored);
 }
 
-bool rsIsUnit(vec3 n) { return abs(dot(n, n) - 1.0) < 0.01; }   // false for NaN
-
 RsSurfaceInput rsBridgeSurface(uvec2 pixel) {
     RsSurfaceInput result;
     ivec2 at = ivec2(pixel + rsFrame.gbufferOrigin);
@@ -30,8 +28,7 @@ RsSurfaceInput rsBridgeSurface(uvec2 pixel) {
     s.geometricNormal = s.normal;
     if ((rsFrame.flags & RS_FRAME_GEOMETRIC_NORMAL) != 0u)
         s.geometricNormal = rsDecodeNormal(texelFetch(rsGeometricNormalImage, at, 0).xyz, rsFrame.normalEncoding);
-    s.valid = stored != rsFrame.emptyDepth && s.depth > 0.0 && s.depth < RS_FAR && rsIsUnit(s.normal) &&
-              rsIsUnit(s.geometricNormal);
+    s.valid = stored != rsFrame.emptyDepth;
     s.baseColor = rsSaturate(texelFetch(rsBaseColorImage, at, 0).rgb);
     vec3 material = vec3(1.0, 0.0, 1.0);
     if ((rsFrame.flags & RS_FRAME_MATERIAL) != 0u) material = texelFetch(rsMaterialImage, at, 0).rgb;

@@ -9,9 +9,12 @@
 
 float rsAlpha(RsSurface s) { return max(s.roughness * s.roughness, RS_MIN_ALPHA); }
 
-float rsGgxDistribution(float alpha, float cosHalf) {
+// With sin^2 from a cross product: cos^2 (a^2 - 1) + 1 cancels in 32 bits where the lobe is narrow.
+float rsGgxDistribution(float alpha, vec3 normal, vec3 middle) {
     float a2 = alpha * alpha;
-    float d = cosHalf * cosHalf * (a2 - 1.0) + 1.0;
+    float cosHalf = dot(normal, middle);
+    vec3 sine = cross(normal, middle);
+    float d = cosHalf * cosHalf * a2 + dot(sine, sine);
     return a2 / (RS_PI * d * d);
 }
 
@@ -41,7 +44,7 @@ vec3 rsBsdf(RsSurface s, vec3 light) {
     vec3 middle = normalize(light + s.view);
     float schlick = rsSchlick(dot(s.view, middle));
     float alpha = rsAlpha(s);
-    float lobe = rsGgxDistribution(alpha, clamp(dot(s.normal, middle), 0.0, 1.0)) * rsGgxVisibility(alpha, cosLight, cosView);
+    float lobe = rsGgxDistribution(alpha, s.normal, middle) * rsGgxVisibility(alpha, cosLight, cosView);
     float fresnel = s.specular * (0.04 + 0.96 * schlick);
     vec3 dielectric = (1.0 - fresnel) / RS_PI * s.baseColor + fresnel * lobe;
     vec3 metal = (s.baseColor + (1.0 - s.baseColor) * schlick) * lobe;
@@ -59,10 +62,10 @@ float rsSpecularChance(RsSurface s) {
 }
 
 // Density of the normals visible from `view` in tangent space (Heitz 2018), per solid angle of the reflection.
-float rsPdfGgx(float alpha, float cosView, float cosHalf) {
+float rsPdfGgx(float alpha, float cosView, vec3 normal, vec3 middle) {
     float a2 = alpha * alpha;
     float g1 = 2.0 / (cosView + sqrt(a2 + (1.0 - a2) * cosView * cosView));   // 2 x Smith G1 / (2 cosView)
-    return g1 * rsGgxDistribution(alpha, cosHalf) * 0.25;
+    return g1 * rsGgxDistribution(alpha, normal, middle) * 0.25;
 }
 
 vec3 rsSampleGgxNormal(vec3 view, float alpha, vec2 u) {
@@ -71,7 +74,8 @@ vec3 rsSampleGgxNormal(vec3 view, float alpha, vec2 u) {
     float phi = 2.0 * RS_PI * u.y;
     vec2 t = r * vec2(cos(phi), sin(phi));
     // The lower half of the projected hemisphere is squeezed by the slant of v; `side` is the axis of that slant.
-    vec3 side = v.z < 0.9999 ? normalize(cross(vec3(0.0, 0.0, 1.0), v)) : vec3(1.0, 0.0, 0.0);
+    float slant = dot(v.xy, v.xy);
+    vec3 side = slant > 0.0 ? vec3(-v.y, v.x, 0.0) * inversesqrt(slant) : vec3(1.0, 0.0, 0.0);
     vec3 up = cross(v, side);
     float s = 0.5 * (1.0 + v.z);
     t.y = mix(sqrt(max(1.0 - t.x * t.x, 0.0)), t.y, s);
@@ -85,7 +89,7 @@ float rsPdfBsdf(RsSurface s, vec3 light) {
     float pdf = (1.0 - chance) * dot(s.normal, light) / RS_PI;
     if (chance > 0.0) {
         vec3 middle = normalize(light + s.view);
-        pdf += chance * rsPdfGgx(rsAlpha(s), max(dot(s.normal, s.view), 1e-4), clamp(dot(s.normal, middle), 0.0, 1.0));
+        pdf += chance * rsPdfGgx(rsAlpha(s), max(dot(s.normal, s.view), 1e-4), s.normal, middle);
     }
     return pdf;
 }

@@ -37,7 +37,7 @@ uint rsPackRadiance(vec3 radiance) {
                   radiance.z > 0.0 ? min(radiance.z, 65408.0) : 0.0);
     float largest = max(c.x, max(c.y, c.z));
     if (!(largest > 0.0)) return 0u;
-    int exponent = max(-16, int(floor(log2(largest)))) + 1;
+    int exponent = int(max(floor(log2(largest)), -16.0)) + 1;
     if (uint(largest * exp2(float(9 - exponent)) + 0.5) >= 512u) exponent++;
     uvec3 q = uvec3(c * exp2(float(9 - exponent)) + 0.5);
     return q.x | (q.y << 9u) | (q.z << 18u) | (uint(exponent + 15) << 27u);

@@ -16,7 +16,7 @@ uint rsHash(uint value) {
 }
 
 RsRandom rsRandom(uvec2 pixel, uint seed, uint stage) {
-    return RsRandom(rsHash(pixel.x + rsHash(pixel.y + rsHash(seed + rsHash(stage)))));
+    return RsRandom(rsHash(rsHash(pixel.x) + rsHash(pixel.y + rsHash(seed + rsHash(stage)))));
 }
 
 uint rsNextBits(inout RsRandom random) {

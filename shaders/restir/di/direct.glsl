@@ -20,7 +20,7 @@ struct RsDirect {
 };
 
 RsDirect rsDirect(RsSurface s, RsPackedLight light, uint uv) {
-    RsIncident incident = rsIncident(light, uv, s.position);
+    RsIncident incident = rsIncident(light, uv, rsRayOrigin(s));   // so that target, densities and rays agree
     vec3 f = incident.irradiance.x + incident.irradiance.y + incident.irradiance.z > 0.0
                  ? incident.irradiance * rsBridgeBsdf(s, incident.direction)
                  : vec3(0.0);
@@ -32,12 +32,9 @@ RsDirect rsDirect(RsSurface s, RsPackedLight light, uint uv) {
     return RsDirect(f, target, incident);
 }
 
-// The ray starts off the surface and ends at the point on the light, so that it grazes neither.
 bool rsUnoccluded(RsSurface s, RsIncident incident) {
-    vec3 origin = rsRayOrigin(s);
-    if (incident.distance >= RS_FAR) return !rsOccluded(origin, incident.direction, RS_FAR);
-    vec3 segment = s.position + incident.direction * incident.distance - origin;
-    return !rsOccluded(origin, segment, RS_SHADOW_LENGTH);
+    float reach = incident.distance >= RS_FAR ? RS_FAR : incident.distance * RS_SHADOW_LENGTH;
+    return !rsOccluded(rsRayOrigin(s), incident.direction, reach);
 }
 
 #endif

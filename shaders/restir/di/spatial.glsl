@@ -11,13 +11,14 @@ RsReservoir rsLoadSource(uvec2 pixel);
 #define RS_GOLDEN_TURN 0.61803399
 
 ivec2 rsNeighbourPixel(RsNeighbourhood where, uint i) {
-    float r = where.radius * sqrt((float(i) + where.rotation.x) / float(where.count));
-    float phi = 2.0 * RS_PI * (where.rotation.y + float(i) * RS_GOLDEN_TURN);
+    // precise: found and loaded pixels are the same
+    precise float r = where.radius * sqrt((float(i) + where.rotation.x) / float(where.count));
+    precise float phi = 2.0 * RS_PI * (where.rotation.y + float(i) * RS_GOLDEN_TURN);
     return ivec2(floor(vec2(where.pixel) + 0.5 + r * vec2(cos(phi), sin(phi))));
 }
 
 RsNeighbour rsLoadNeighbour(RsNeighbourhood where, uint i) {
-    uvec2 at = uvec2(rsNeighbourPixel(where, i));
+    uvec2 at = uvec2(max(rsNeighbourPixel(where, i), ivec2(0)));
     return RsNeighbour(rsLoadSurface(at), rsLoadSource(at), false);
 }
 

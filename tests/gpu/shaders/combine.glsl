@@ -6,6 +6,7 @@
 #include "restir/bsdf/metallic_roughness.glsl"
 #include "restir/di/candidates.glsl"
 #include "restir/di/combine.glsl"
+#include "restir/di/next_event.glsl"
 #include "restir/di/shade.glsl"
 #include "gpu/shaders/include/hooks.glsl"
 
@@ -21,7 +22,7 @@ struct TestSurface {
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0, scalar) readonly buffer Parameters {
     RsDiConstants di;
-    uint seed, neighbours, previous, planted, lightCount;
+    uint seed, neighbours, previous, planted, lightCount, nextEvent;
     TestSurface surfaces[SURFACES];   // 0 is the canonical
     vec3 centres[8];                  // of the lights, however they move
 };
@@ -35,12 +36,12 @@ bool inPreviousFrame = false;   // while the history's own candidates are drawn
 RsReservoir reservoirs[SURFACES];
 
 RsPackedLight rsLoadPreviousLight(uint id) {
-    if ((planted & PLANT_CURRENT_LIGHTS) != 0u && !inPreviousFrame) return lights[min(id, lightCount)];
-    return previousLights[min(id, lightCount)];
+    if ((planted & PLANT_CURRENT_LIGHTS) != 0u && !inPreviousFrame) return lights[id];
+    return previousLights[id];
 }
 RsPackedLight rsLoadLight(uint id) {
-    if (inPreviousFrame) return previousLights[min(id, lightCount)];
-    return lights[min(id, lightCount)];
+    if (inPreviousFrame) return previousLights[id];
+    return lights[id];
 }
 RsAliasEntry rsLoadAlias(uint column) {
     if (inPreviousFrame) return previousAlias[column];
@@ -50,7 +51,7 @@ RsAliasEntry rsLoadAlias(uint column) {
 RsSurface surfaceOf(uint i) {
     RsSurface s;
     s.valid = true;
-    s.depth = 1.0;
+    s.depth = 1e-3;   // rays start right on the surface
     s.position = surfaces[i].position;
     s.view = surfaces[i].normal;
     s.normal = s.view;
@@ -77,7 +78,7 @@ bool sees(vec3 origin, uint light) {
     return (surfaces[from].visible >> light & 1u) != 0u;
 }
 bool rsOccluded(vec3 origin, vec3 direction, float tmax) {
-    vec3 end = origin + direction;
+    vec3 end = origin + direction * tmax;
     uint light = 0u;
     for (uint i = 1u; i < lightCount; ++i)
         if (distance(centres[i], end) < distance(centres[light], end)) light = i;
@@ -106,6 +107,10 @@ void rsOnRejectedWeight() { rejected++; }
 void main() {
     uint i = gl_GlobalInvocationID.x;
     RsRandom random = rsRandom(uvec2(i & 511u, i >> 9u), seed, 0u);
+    if (nextEvent != 0u) {
+        results[i] = vec4(rsDiNextEvent(surfaceOf(0u), lightCount, di.lightCandidates, random), 0.0);
+        return;
+    }
     RsNeighbourhood where = RsNeighbourhood(uvec2(0u), 0.0, vec2(0.0), neighbours, 0u, 0.0);
     for (uint k = 0u; k <= neighbours; ++k) {
         inPreviousFrame = previous != 0u && k > 0u;

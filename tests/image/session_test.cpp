@@ -1,0 +1,190 @@
+// A Session as hosts drive it: determinism, frames in flight, history, extents, what it reports.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "image/host_view.h"
+#include "image/hypothesis.h"
+#include "image/stage.h"
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+constexpr VkExtent2D kExtent{40, 24};
+
+class SessionTest : public testing::Test {
+protected:
+    SessionTest() {
+        samples::SceneData data = planeScene();
+        for (uint32_t i = 0; i < 4; ++i) {
+            addQuad(data, lamp({0.5f * float(i) - 0.7f, 1.2f, -0.3f}, 0.1f),
+                    {.color = {0, 0, 0}, .emission = {float(i), 2, 3}});
+        }
+        addQuad(data, lamp({0.1f, 0.95f, -0.3f}, 0.3f), {.specular = 0});
+        view = data.views[0];
+        scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
+        host = makeHost();
+    }
+    std::unique_ptr<HostView> makeHost(const restir::MemoryProvider& memory = {}) const {
+        return std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent, .memory = memory});
+    }
+    samples::FloatImage frames(uint32_t first, uint32_t count, uint32_t seed = 0) {
+        const samples::FloatImage image = host->frames(first, count, settings, seed);
+        EXPECT_TRUE(allFinite(image));
+        return image;
+    }
+    samples::FloatImage cut(uint32_t index, uint32_t seed = 0) {
+        restir::FrameInput input = host->input(index);
+        input.seed = seed;
+        input.resetHistory = true;
+        return host->frame(input, settings);
+    }
+
+    samples::View view;
+    std::unique_ptr<samples::GpuScene> scene;
+    std::unique_ptr<HostView> host;
+    restir::Settings settings = unbiased();
+};
+
+TEST_F(SessionTest, SameSeedsGiveTheSameBits) {
+    cut(0);
+    const samples::FloatImage first = frames(1, 4);
+    cut(0);
+    EXPECT_EQ(frames(1, 4).rgb, first.rgb);
+    cut(0, 1);
+    EXPECT_NE(frames(1, 4, 1).rgb, first.rgb);
+    cut(0);
+    EXPECT_NE(frames(2, 4).rgb, first.rgb);   // other frame indices
+}
+
+TEST_F(SessionTest, ResetHistoryIsAFreshSession) {
+    frames(0, 4);
+    const samples::FloatImage withHistory = frames(4, 1), reset = cut(4), after = frames(5, 2);
+    EXPECT_NE(reset.rgb, withHistory.rgb);
+    host->newSession();
+    EXPECT_EQ(frames(4, 1).rgb, reset.rgb);
+    EXPECT_EQ(frames(5, 2).rgb, after.rgb);
+}
+
+TEST_F(SessionTest, FourFramesInOneCommandBuffer) {
+    std::vector<samples::FloatImage> separate;
+    for (uint32_t i = 0; i < HostView::kSlots; ++i) separate.push_back(frames(i, 1));
+    EXPECT_NE(separate[3].rgb, separate[0].rgb);
+    host->newSession();
+    device().submitAndWait([&](VkCommandBuffer cmd) {
+        for (uint32_t i = 0; i < HostView::kSlots; ++i) host->record(cmd, host->input(i), settings);
+    });
+    for (uint32_t i = 0; i < HostView::kSlots; ++i) EXPECT_EQ(host->read(i).rgb, separate[i].rgb) << i;
+}
+
+TEST_F(SessionTest, ExtentsUpToTheLargest) {
+    uint32_t index = 0;
+    for (VkExtent2D extent : {kExtent, VkExtent2D{17, 9}, VkExtent2D{1, 1}, VkExtent2D{1, 24}, VkExtent2D{40, 1}, kExtent}) {
+        SCOPED_TRACE(std::to_string(extent.width) + " x " + std::to_string(extent.height));
+        host->resize(extent);
+        for (uint32_t i = 0; i < 3; ++i) {
+            const samples::FloatImage image = frames(index++, 1);
+            EXPECT_EQ(image.rgb.size(), size_t{3} * extent.width * extent.height);
+            EXPECT_GT(largest(image), 0);
+        }
+    }
+    // History survives a resize, and is right: the mean of a picture hardly differs.
+    double mean = 0, reset = 0;
+    for (float v : frames(index, 1).rgb) mean += double(v);
+    for (float v : cut(index).rgb) reset += double(v);
+    EXPECT_NEAR(mean / reset, 1, 0.2);
+}
+
+TEST_F(SessionTest, PlanDoesNotAdvanceHistory) {
+    const samples::FloatImage expected = frames(0, 3);
+    host->newSession();
+    samples::FloatImage image;
+    for (uint32_t i = 0; i < 3; ++i) {
+        for (int again = 0; again < 3; ++again) ASSERT_TRUE(host->session().plan(host->input(i), settings));
+        image = frames(i, 1);
+    }
+    EXPECT_EQ(image.rgb, expected.rgb);
+}
+
+TEST_F(SessionTest, TimingsNameThePlannedPasses) {
+    settings.di.spatialPasses = 2;
+    frames(0, 1);
+    auto planned = host->session().plan(host->input(1), settings);
+    ASSERT_TRUE(planned);
+    std::vector<std::string> names;
+    for (const restir::PassInfo& pass : *planned) names.emplace_back(pass.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial",
+                                               "di.shade"}));
+    frames(1, 1);
+    const auto timings = host->session().timings(1);
+    ASSERT_TRUE(device().hasTimestamps());
+    ASSERT_EQ(timings.size(), names.size());
+    double sum = 0;
+    for (size_t i = 0; i < names.size(); ++i) {
+        EXPECT_EQ(timings[i].name, names[i]);
+        EXPECT_GE(timings[i].milliseconds, 0);
+        EXPECT_LT(timings[i].milliseconds, 60'000);
+        sum += timings[i].milliseconds;
+    }
+    EXPECT_GT(sum, 0);
+    EXPECT_TRUE(host->session().timings(2).empty());                  // nothing recorded there yet
+    EXPECT_TRUE(host->session().timings(HostView::kSlots).empty());   // no such slot
+}
+
+TEST_F(SessionTest, CountersCountRays) {
+    settings.counters = true;
+    const uint32_t pixels = kExtent.width * kExtent.height;
+    settings.di = {.mode = restir::DirectMode::NextEvent, .lightCandidates = 3};
+    frames(0, 1);
+    const restir::Counters nextEvent = host->session().counters(0);
+    EXPECT_GT(nextEvent.rays, pixels);
+    EXPECT_LE(nextEvent.rays, 3 * pixels);
+    settings.di = unbiased().di;
+    frames(1, 2);
+    const restir::Counters restir = host->session().counters(2);
+    // One shadow ray and one direction; a ray a neighbour, and one more, in two combinations.
+    EXPECT_GT(restir.rays, 2 * pixels);
+    EXPECT_LE(restir.rays, (2 + 2 + 1 + settings.di.neighbours) * pixels);
+    EXPECT_EQ(restir.rejectedWeights, 0u);
+    EXPECT_EQ(host->session().counters(HostView::kSlots).rays, 0u);
+}
+
+TEST_F(SessionTest, RayLogHoldsWhatWasTraced) {
+    HostView logged(*scene, view, {.maxExtent = kExtent, .rayLogCapacity = 100});
+    ASSERT_NE(logged.session().rayLog(), VkBuffer{});
+    settings.counters = true;
+    logged.frames(0, 2, settings);
+    const restir::Counters counters = logged.session().counters(1);
+    EXPECT_EQ(counters.loggedRays, counters.rays);   // asked for; those beyond the capacity are dropped
+    EXPECT_EQ(host->session().rayLog(), VkBuffer{});
+}
+
+// A single light without extent: nothing is random.
+TEST_F(SessionTest, OriginsShiftThePicture) {
+    restir::Light light{.id = 0, .kind = restir::LightKind::Point, .position = {0.3f, 2, 0}};
+    host->upload(std::span(&light, 1));
+    const samples::FloatImage whole = frames(0, 1);
+    // The lower right quarter as a view of its own: x' = 2 x - w with w = -z, likewise y.
+    const VkExtent2D half{kExtent.width / 2, kExtent.height / 2};
+    restir::FrameInput input = host->input(0);
+    input.extent = half;
+    input.gbuffer.origin = {int32_t(half.width), int32_t(half.height)};
+    input.output.origin = input.gbuffer.origin;
+    float* projection = input.camera.clipFromView.m;
+    projection[0] *= 2;
+    projection[5] *= 2;
+    projection[8] = projection[9] = 1;
+    host->newSession();
+    const samples::FloatImage shifted = host->frame(input, settings);
+    ASSERT_EQ(shifted.rgb.size(), whole.rgb.size());
+    for (uint32_t y = half.height; y < kExtent.height; ++y) {
+        for (uint32_t x = 3 * half.width; x < 3 * kExtent.width; ++x) {
+            const size_t i = size_t{3} * y * kExtent.width + x;
+            ASSERT_NEAR(shifted.rgb[i], whole.rgb[i], 1e-4f * whole.rgb[i]) << i;
+        }
+    }
+}
+
+}   // namespace
+}   // namespace tests

@@ -56,6 +56,10 @@ int memoryType(const Device& device, uint32_t typeBits, MemoryUse use) noexcept 
 
 VkDeviceSize Buffers::memoryNeeded(const Device& device, std::span<const BufferRequest> requests) noexcept {
     VkDeviceSize sum = 0;
+    if (device.info.memory.acquire) {   // places them itself
+        for (const BufferRequest& request : requests) sum += request.size;
+        return sum;
+    }
     for (MemoryUse use : kUses) sum += layoutOf(device, requests, use).size;
     return sum;
 }

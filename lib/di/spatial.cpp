@@ -3,7 +3,7 @@
 
 namespace restir::di {
 
-PassInfo spatial(uint32_t source, uint32_t target, uint32_t index) noexcept {
+PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept {
     PassInfo pass = makePass("di.spatial", {{Resource::Surfaces, Access::Read},
                                             {Resource::Scene, Access::Read},
                                             {Resource::Lights, Access::Read},
@@ -12,6 +12,8 @@ PassInfo spatial(uint32_t source, uint32_t target, uint32_t index) noexcept {
     pass.source = source;
     pass.target = target;
     pass.index = index;
+    pass.shades = shades;
+    if (shades) pass.useList[pass.useCount++] = {Resource::Outputs, Access::Write};
     return pass;
 }
 

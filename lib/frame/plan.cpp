@@ -25,11 +25,13 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
     uint32_t current = 1 - history;
     add(di::candidates(current));
     if (di.temporal && input.history) add(di::temporal(history, current));
+    const bool averages = di.averageShading && di.spatialPasses > 0 && di.visibility == VisibilityReuse::Traced &&
+                          (di.weights == Weights::Pairwise || di.weights == Weights::Off);
     for (uint32_t i = 0; i < di.spatialPasses; ++i) {
-        add(di::spatial(current, 1 - current, i));
+        add(di::spatial(current, 1 - current, i, averages && i + 1 == di.spatialPasses));
         current = 1 - current;
     }
-    add(di::shade(current, di.visibility == VisibilityReuse::Cached));
+    if (!averages) add(di::shade(current, di.visibility == VisibilityReuse::Cached));
     plan.historyOut = current;
     return plan;
 }

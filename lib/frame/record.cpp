@@ -63,7 +63,7 @@ public:
         beginLabel(pass.name);
         stamp(2 * number);
         f_.vkCmdBindPipeline(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineOf(pass.name));
-        const gpu::RsPass constants{.source = pass.source, .target = pass.target, .index = pass.index};
+        const gpu::RsPass constants{.source = pass.source, .target = pass.target, .index = pass.index, .shades = pass.shades ? 1u : 0u};
         f_.vkCmdPushConstants(cmd_, s_.context->pipelineLayout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
         f_.vkCmdDispatch(cmd_, pass.groups[0], pass.groups[1], pass.groups[2]);
         stamp(2 * number + 1);

@@ -177,6 +177,7 @@ int main(int argc, char** argv) {
     app.add_option("--bsdf-candidates", options.di.bsdfCandidates);
     app.add_option("--neighbours", options.di.neighbours);
     app.add_option("--radius", options.di.radius);
+    app.add_flag("!--no-average", options.di.averageShading, "shade the selected sample only");
     app.add_option("--max-history", options.di.maxHistory);
     CLI11_PARSE(app, argc, argv);
     try {

@@ -20,8 +20,8 @@ struct Material {
     float bend = 0;   // radians between the geometric and the shading normal, away from the viewer
 
     friend std::ostream& operator<<(std::ostream& out, const Material& m) {
-        return out << "roughness " << m.roughness << ", metalness " << m.metalness << ", cosine of view " << m.cosView
-                   << ", specular " << m.specular << ", bend " << m.bend;
+        return out << "roughness " << m.roughness << ", metalness " << m.metalness << ", cosine of view "
+                   << m.cosView << ", specular " << m.specular << ", bend " << m.bend;
     }
 };
 
@@ -39,9 +39,9 @@ struct Result {
 std::vector<Result> run(const Material& m, uint32_t job) {
     const glm::vec3 normal(0.48f, -0.6f, 0.64f), tangent = glm::normalize(glm::vec3(0.8f, 0, -0.6f));
     const float sine = std::sqrt(1 - m.cosView * m.cosView);
-    const std::vector<Parameters> parameters{{job, 17, normal, std::cos(m.bend) * normal - std::sin(m.bend) * tangent,
-                                              m.cosView * normal + sine * tangent, m.baseColor, m.roughness,
-                                              m.metalness, m.specular}};
+    const std::vector<Parameters> parameters{
+        {job, 17, normal, std::cos(m.bend) * normal - std::sin(m.bend) * tangent,
+         m.cosView * normal + sine * tangent, m.baseColor, m.roughness, m.metalness, m.specular}};
     static const tests::Kernel kernel(k_bsdf_spv, 2);
     std::vector<Result> results(job == 0 ? kBins : kSamples);
     kernel.run(static_cast<uint32_t>(results.size()) / 64, {tests::in(parameters), tests::out(results)});
@@ -72,9 +72,10 @@ std::vector<Material> grid() {
 }
 
 std::vector<Material> sampled() {
-    return {{0.3f, 0, 0.9f, 1, {0.8f, 0.4f, 0.1f}}, {0.3f, 1, 0.5f, 1, {0.9f, 0.6f, 0.2f}},
-            {0.5f, 0.5f, 0.2f, 0.7f, {0.2f, 0.3f, 0.9f}}, {1, 1, 0.7f}, {1, 0, 0.1f, 1, {0.05f, 0.05f, 0.05f}},
-            {0.7f, 0, 0.6f, 0}, {0.4f, 1, 0.6f, 1, {1, 1, 1}, 0.4f}, {0.8f, 0, 0.8f, 1, {0.5f, 0.5f, 0.5f}, 0.5f}};
+    return {{0.3f, 0, 0.9f, 1, {0.8f, 0.4f, 0.1f}},       {0.3f, 1, 0.5f, 1, {0.9f, 0.6f, 0.2f}},
+            {0.5f, 0.5f, 0.2f, 0.7f, {0.2f, 0.3f, 0.9f}}, {1, 1, 0.7f},
+            {1, 0, 0.1f, 1, {0.05f, 0.05f, 0.05f}},       {0.7f, 0, 0.6f, 0},
+            {0.4f, 1, 0.6f, 1, {1, 1, 1}, 0.4f},          {0.8f, 0, 0.8f, 1, {0.5f, 0.5f, 0.5f}, 0.5f}};
 }
 
 class Bsdf : public tests::GpuTest {};
@@ -84,7 +85,8 @@ TEST_F(Bsdf, WhiteMetalKeepsEnergy) {
         if (m.metalness < 1) continue;
         const Integrals sums = integrate(m);
         EXPECT_LE(sums.value[0], 1) << m;
-        // What bounces between microfacets is lost: much at roughness 1, where the integral has a closed form.
+        // What bounces between microfacets is lost: much at roughness 1, where the integral has a closed
+        // form.
         const double c = double(m.cosView);
         if (m.roughness < 1) {
             EXPECT_GT(sums.value[0], 0.75) << m;
@@ -94,8 +96,9 @@ TEST_F(Bsdf, WhiteMetalKeepsEnergy) {
     }
 }
 
-// glTF mixes its lobes by the Fresnel term of each half vector, which does not quite keep energy: the diffuse lobe
-// stays at 1 - 0.04 where a grazing view already reflects most. That excess is the specification's, and all there is.
+// glTF mixes its lobes by the Fresnel term of each half vector, which does not quite keep energy: the diffuse
+// lobe stays at 1 - 0.04 where a grazing view already reflects most. That excess is the specification's, and
+// all there is.
 TEST_F(Bsdf, WhiteDielectricKeepsEnergyButForGrazingViews) {
     for (float roughness : {0.3f, 0.55f, 1.0f}) {
         for (float cosView : {1.0f, 0.8f, 0.6f, 0.4f, 0.2f}) {
@@ -119,7 +122,8 @@ TEST_F(Bsdf, WithoutSpecularItIsLambert) {
         EXPECT_NEAR(sums.value[2], 1, 4e-4);
         EXPECT_NEAR(sums.pdf, 1, 4e-4);
     }
-    EXPECT_GT(integrate({0.2f, 0, 0.7f, 1, {0.25f, 0.5f, 1}}).worst, 1e-2) << "what 'Lambert' above could not tell";
+    EXPECT_GT(integrate({0.2f, 0, 0.7f, 1, {0.25f, 0.5f, 1}}).worst, 1e-2)
+        << "what 'Lambert' above could not tell";
 }
 
 TEST_F(Bsdf, SamplesFollowThePdf) {
@@ -157,7 +161,8 @@ TEST_F(Bsdf, SumsOverThePdfAreIntegrals) {
         }
         if (m.bend != 0 || m.roughness < 0.5f) continue;   // no closed form, or too few samples off the lobe
         const tests::Mean mean = tests::meanOf(cosine);
-        EXPECT_LT(std::abs(mean.mean - 3.14159265), 4.5 * mean.error + 1e-6) << mean.mean << " +- " << mean.error;
+        EXPECT_LT(std::abs(mean.mean - 3.14159265), 4.5 * mean.error + 1e-6)
+            << mean.mean << " +- " << mean.error;
     }
 }
 

@@ -1,5 +1,5 @@
-// Reuse, against exact expectations (THEORY.md, sections 3 to 5, 9): the unbiased combinations are, the biased ones are
-// not, and planted bugs show.
+// Reuse, against exact expectations (THEORY.md, sections 3 to 5, 9): the unbiased combinations are, the
+// biased ones are not, and planted bugs show.
 #include <cmath>
 #include <ostream>
 
@@ -17,7 +17,7 @@ using restir::Light;
 using restir::LightKind;
 using namespace restir::gpu;
 
-constexpr uint32_t kSamples = 1u << 19;
+constexpr uint32_t kSamples = 1u << 18;
 constexpr uint32_t kSurfaces = 6, kLights = 6;
 constexpr uint32_t kDropEmpty = 1, kCurrentLights = 2;   // planted bugs of combine.glsl
 constexpr uint32_t kAll = 0xff;
@@ -40,9 +40,11 @@ struct Setting {
 };
 
 Light triangle(uint32_t id, glm::vec3 centre, glm::vec3 emission) {
-    const glm::vec3 n = glm::normalize(-centre), side = glm::normalize(glm::cross(n, glm::vec3(0.3f, 1, 0.2f)));
+    const glm::vec3 n = glm::normalize(-centre),
+                    side = glm::normalize(glm::cross(n, glm::vec3(0.3f, 1, 0.2f)));
     const glm::vec3 up = glm::cross(n, side);
-    const glm::vec3 corners[] = {centre - 0.3f * side - 0.2f * up, centre + 0.3f * side - 0.2f * up, centre + 0.35f * up};
+    const glm::vec3 corners[] = {centre - 0.3f * side - 0.2f * up, centre + 0.3f * side - 0.2f * up,
+                                 centre + 0.35f * up};
     Light light{.id = id};
     for (int k = 0; k < 3; ++k) {
         light.position[k] = corners[0][k];
@@ -59,12 +61,14 @@ Light point(uint32_t id, glm::vec3 position, glm::vec3 intensity) {
             .emission = {intensity.x, intensity.y, intensity.z}};
 }
 
-const glm::vec3 kCentres[kLights] = {{-2, 0, 1.5f}, {2, 0, 1.5f}, {0, 2, 1}, {0.2f, 0.3f, 3}, {9, 9, 9}, {0, -2, 0.8f}};
+const glm::vec3 kCentres[kLights] = {{-2, 0, 1.5f},   {2, 0, 1.5f}, {0, 2, 1},
+                                     {0.2f, 0.3f, 3}, {9, 9, 9},    {0, -2, 0.8f}};
 
 // Id 4 names nothing.
 std::vector<Light> sixLights() {
     return {triangle(0, kCentres[0], {30, 25, 20}), triangle(1, kCentres[1], {4, 9, 16}),
-            point(2, kCentres[2], {2, 2, 1}), triangle(3, kCentres[3], {5, 5, 9}), point(5, kCentres[5], {3, 1, 0.5f})};
+            point(2, kCentres[2], {2, 2, 1}), triangle(3, kCentres[3], {5, 5, 9}),
+            point(5, kCentres[5], {3, 1, 0.5f})};
 }
 
 // Normals so different that neighbours cannot have what the canonical sees; one sees nothing at all.
@@ -107,9 +111,10 @@ struct Mode {
     uint32_t bsdfCandidates = 0, planted = 0, nextEvent = 0;
 
     friend std::ostream& operator<<(std::ostream& out, const Mode& m) {
-        const char* weights[] = {"off", "basic", "balance", "pairwise"};
-        const char* visibility[] = {"none", "cached", "traced"};
-        return out << weights[m.weights] << ", " << visibility[m.visibility] << ", " << m.bsdfCandidates << " directions";
+        const char* weightNames[] = {"off", "basic", "balance", "pairwise"};
+        const char* visibilityNames[] = {"none", "cached", "traced"};
+        return out << weightNames[m.weights] << ", " << visibilityNames[m.visibility] << ", "
+                   << m.bsdfCandidates << " directions";
     }
 };
 
@@ -129,7 +134,10 @@ struct Estimates {
 
 Estimates run(const Setting& setting, const Mode& mode, uint32_t seed) {
     Parameters p;
-    p.di = {.lightCandidates = 4, .bsdfCandidates = mode.bsdfCandidates, .weights = mode.weights, .visibility = mode.visibility};
+    p.di = {.lightCandidates = 4,
+            .bsdfCandidates = mode.bsdfCandidates,
+            .weights = mode.weights,
+            .visibility = mode.visibility};
     p.seed = seed;
     p.neighbours = static_cast<uint32_t>(setting.surfaces.size()) - 1;
     p.previous = setting.previousLights.empty() ? 0 : 1;
@@ -143,8 +151,9 @@ Estimates run(const Setting& setting, const Mode& mode, uint32_t seed) {
     const restir::PackedLights before = p.previous ? pack(setting.previousLights) : now;
     static const tests::Kernel kernel(k_combine_spv, 6);
     std::vector<glm::vec4> results(kSamples);
-    kernel.run(kSamples / 64, {tests::in(std::vector<Parameters>{p}), tests::in(now.lights), tests::in(before.lights),
-                               tests::in(now.alias), tests::in(before.alias), tests::out(results)});
+    kernel.run(kSamples / 64,
+               {tests::in(std::vector<Parameters>{p}), tests::in(now.lights), tests::in(before.lights),
+                tests::in(now.alias), tests::in(before.alias), tests::out(results)});
     Estimates estimates;
     for (const glm::vec4& r : results) {
         for (int k = 0; k < 3; ++k) estimates.channels[k].push_back(double(r[k]));
@@ -161,8 +170,8 @@ glm::dvec3 exact(const Setting& setting) {
     return sum * glm::dvec3(s.baseColor) / 3.14159265358979;
 }
 
-// Independent samples: 4.5 standard errors over a few hundred comparisons is a false alarm in 10^3 runs, and the
-// seeds are fixed.
+// Independent samples: 4.5 standard errors over a few hundred comparisons is a false alarm in 10^3 runs, and
+// the seeds are fixed.
 void expectUnbiased(const Setting& setting, const Mode& mode) {
     SCOPED_TRACE(mode);
     const Estimates estimates = run(setting, mode, 100 + mode.weights * 10 + mode.visibility);
@@ -200,7 +209,8 @@ TEST_F(Combine, UnbiasedOverDifferentSurfaces) {
 TEST_F(Combine, UnbiasedOverDifferentShadows) {
     for (uint32_t weights : {RS_WEIGHTS_BASIC, RS_WEIGHTS_BALANCE, RS_WEIGHTS_PAIRWISE})
         for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_TRACED})
-            for (uint32_t directions : {0u, 1u}) expectUnbiased(shadowed(), {weights, visibility, directions});
+            for (uint32_t directions : {0u, 1u})
+                expectUnbiased(shadowed(), {weights, visibility, directions});
 }
 
 TEST_F(Combine, UnbiasedOverFramesWhoseLightsChange) {
@@ -214,7 +224,8 @@ TEST_F(Combine, FreshCandidatesAreUnbiased) {
     Setting alone = shadowed();
     alone.surfaces.resize(1);
     for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_CACHED, RS_VISIBILITY_TRACED})
-        for (uint32_t directions : {0u, 1u, 3u}) expectUnbiased(alone, {RS_WEIGHTS_PAIRWISE, visibility, directions});
+        for (uint32_t directions : {0u, 1u, 3u})
+            expectUnbiased(alone, {RS_WEIGHTS_PAIRWISE, visibility, directions});
 }
 
 TEST_F(Combine, NextEventIsUnbiased) { expectUnbiased(shadowed(), {.nextEvent = 1}); }

@@ -19,7 +19,8 @@ using namespace restir::gpu;
 // Two structs as C++ lays them out, and room for what the shader writes: more of it than should be needed.
 template <class T>
 struct Pair {
-    explicit Pair(void (*fill)(T&, int)) : expected(2), written(3 * sizeof(T) / sizeof(uint32_t), kUntouched) {
+    explicit Pair(void (*fill)(T&, int))
+        : expected(2), written(3 * sizeof(T) / sizeof(uint32_t), kUntouched) {
         static_assert(sizeof(T) % sizeof(uint32_t) == 0);
         fill(expected[0], 1000);
         fill(expected[1], 2000);
@@ -28,7 +29,8 @@ struct Pair {
         std::vector<uint32_t> wanted(2 * sizeof(T) / sizeof(uint32_t));
         std::memcpy(wanted.data(), expected.data(), 2 * sizeof(T));
         for (size_t i = 0; i < wanted.size(); ++i)
-            ASSERT_EQ(written[i], wanted[i]) << name << " at byte " << i * sizeof(uint32_t) << ", size " << sizeof(T);
+            ASSERT_EQ(written[i], wanted[i])
+                << name << " at byte " << i * sizeof(uint32_t) << ", size " << sizeof(T);
         for (size_t i = wanted.size(); i < written.size(); ++i) ASSERT_EQ(written[i], kUntouched) << name;
     }
 
@@ -53,9 +55,10 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
     Pair<RsMaterial> material(fillMaterial);
     using tests::out;
     const tests::Kernel kernel(k_layout_spv, 13);
-    kernel.run(1, {out(reservoir.written), out(di.written), out(view.written), out(frame.written), out(pass.written),
-                   out(counters.written), out(ray.written), out(light.written), out(alias.written),
-                   out(instance.written), out(material.written), tests::in(streamed.expected), out(streamed.written)});
+    kernel.run(1, {out(reservoir.written), out(di.written), out(view.written), out(frame.written),
+                   out(pass.written), out(counters.written), out(ray.written), out(light.written),
+                   out(alias.written), out(instance.written), out(material.written),
+                   tests::in(streamed.expected), out(streamed.written)});
     reservoir.check("RsReservoir");
     di.check("RsDiConstants");
     view.check("RsView");

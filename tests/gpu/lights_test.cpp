@@ -66,7 +66,8 @@ TEST_F(Lights, PointsAreUniformOnTheTriangle) {
         for (size_t v = 0; u + v < 8; ++v) probabilities[u * 8 + v] = u + v < 7 ? 1 / 32.0 : 1 / 64.0;
     for (const Result& r : run(kTriangle, {{0, 0, 0}}, kSamples)) {
         ASSERT_LE((r.uv & 0xffffu) + (r.uv >> 16), 0xffffu);
-        ++counts[static_cast<size_t>(std::min(r.at().x * 8, 7.0)) * 8 + static_cast<size_t>(std::min(r.at().y * 8, 7.0))];
+        ++counts[static_cast<size_t>(std::min(r.at().x * 8, 7.0)) * 8 +
+                 static_cast<size_t>(std::min(r.at().y * 8, 7.0))];
     }
     EXPECT_LT(std::abs(tests::chiSquareZ(counts, probabilities, kSamples)), 4.5);
 }
@@ -82,8 +83,9 @@ TEST_F(Lights, ATriangleIntegratesToItsClosedForm) {
             solidAngle.push_back(double(r.solidAngle));
         }
         const double irradiance = tests::triangleIrradiance(receiver, n, kCorners);
-        for (const auto& [samples, expected] : {std::pair(&red, 2 * irradiance), std::pair(&blue, 5 * irradiance),
-                                                std::pair(&solidAngle, tests::triangleSolidAngle(receiver, kCorners))}) {
+        for (const auto& [samples, expected] :
+             {std::pair(&red, 2 * irradiance), std::pair(&blue, 5 * irradiance),
+              std::pair(&solidAngle, tests::triangleSolidAngle(receiver, kCorners))}) {
             const tests::Mean mean = tests::meanOf(*samples);
             EXPECT_LT(mean.relativeError(), 0.003);
             EXPECT_LT(std::abs(mean.z(expected)), 4.5) << mean.mean << " vs " << expected;
@@ -95,7 +97,8 @@ TEST_F(Lights, ATrianglesPointIsWhereItsBarycentricsSay) {
     const glm::dvec3 receiver(0.3, 0.2, 0);
     for (const Result& r : run(kTriangle, {receiver}, 256)) {
         const glm::dvec2 at = r.at();
-        const glm::dvec3 point = kCorners[0] + at.x * (kCorners[1] - kCorners[0]) + at.y * (kCorners[2] - kCorners[0]);
+        const glm::dvec3 point =
+            kCorners[0] + at.x * (kCorners[1] - kCorners[0]) + at.y * (kCorners[2] - kCorners[0]);
         EXPECT_NEAR(r.distance, glm::length(point - receiver), 1e-5);
         EXPECT_LT(glm::distance(glm::dvec3(r.direction), glm::normalize(point - receiver)), 1e-5);
     }
@@ -110,7 +113,8 @@ TEST_F(Lights, BacksAreBlackUnlessTwoSided) {
         EXPECT_EQ(r.irradiance, glm::vec3(0));
         EXPECT_EQ(r.solidAngle, 0);
     }
-    for (const Result& r : run(twoSided, {behind}, kSamples)) back.push_back(double(r.irradiance.x) * -double(r.direction.z));
+    for (const Result& r : run(twoSided, {behind}, kSamples))
+        back.push_back(double(r.irradiance.x) * -double(r.direction.z));
     const double expected = 2 * std::abs(tests::triangleIrradiance(behind, {0, 0, -1}, kCorners));
     EXPECT_LT(std::abs(tests::meanOf(back).z(expected)), 4.5);
     for (const Result& r : run(twoSided, {{0, 0, 0}}, 64)) EXPECT_GT(r.irradiance.x, 0);
@@ -130,16 +134,18 @@ TEST_F(Lights, TexturesTintTheSampledPoint) {
     light.texture = 3;
     light.uv[1][0] = 1;   // the stub texture answers (u, v, 1/2)
     light.uv[2][1] = 1;
-    const std::vector<Result> plain = run(kTriangle, {{0, 0, 0}}, 256), textured = run(light, {{0, 0, 0}}, 256);
+    const std::vector<Result> plain = run(kTriangle, {{0, 0, 0}}, 256),
+                              textured = run(light, {{0, 0, 0}}, 256);
     for (size_t i = 0; i < plain.size(); ++i) {
         const glm::vec3 tint(plain[i].at(), 0.5f);
-        EXPECT_LT(glm::distance(textured[i].irradiance, plain[i].irradiance * tint), 1e-5f * glm::length(plain[i].irradiance));
+        EXPECT_LT(glm::distance(textured[i].irradiance, plain[i].irradiance * tint),
+                  1e-5f * glm::length(plain[i].irradiance));
     }
 }
 
-const std::vector<glm::vec3> kReceivers{{0, 0, 0},  {1, 0, 0},    {0, 0.5f, 1},  {-2, 1, 0.5f}, {0.1f, 0, 1.9f},
-                                        {0, 0, 3},  {5, 5, 0},    {1, 1, 1},     {0.4f, 0, 0},  {0, -1.2f, 0},
-                                        {3, 0, -2}, {0, 0, -7.9f}, {0, 0, -8.1f}, {0, 0, -30}};
+const std::vector<glm::vec3> kReceivers{
+    {0, 0, 0}, {1, 0, 0},    {0, 0.5f, 1},  {-2, 1, 0.5f}, {0.1f, 0, 1.9f}, {0, 0, 3},     {5, 5, 0},
+    {1, 1, 1}, {0.4f, 0, 0}, {0, -1.2f, 0}, {3, 0, -2},    {0, 0, -7.9f},   {0, 0, -8.1f}, {0, 0, -30}};
 
 void expectPunctual(const Light& light) {
     const std::vector<Result> results = evaluate(light, kReceivers);
@@ -150,7 +156,8 @@ void expectPunctual(const Light& light) {
         EXPECT_EQ(results[i].solidAngle, 0);
         EXPECT_EQ(results[i].uv, 0u);
         if (light.kind == LightKind::Directional) continue;
-        const glm::vec3 toLight = glm::vec3(light.position[0], light.position[1], light.position[2]) - kReceivers[i];
+        const glm::vec3 toLight =
+            glm::vec3(light.position[0], light.position[1], light.position[2]) - kReceivers[i];
         EXPECT_NEAR(results[i].distance, glm::length(toLight), 1e-5);
         EXPECT_LT(glm::distance(results[i].direction, glm::normalize(toLight)), 1e-5);
     }
@@ -162,7 +169,8 @@ TEST_F(Lights, PointLights) {
 }
 
 TEST_F(Lights, SpotLights) {
-    Light spot{.kind = LightKind::Spot, .position = {0, 0, 2}, .direction = {0.5f, 0, -2}, .emission = {5, 6, 7}};
+    Light spot{
+        .kind = LightKind::Spot, .position = {0, 0, 2}, .direction = {0.5f, 0, -2}, .emission = {5, 6, 7}};
     spot.innerCone = 0.2f;
     spot.outerCone = 0.6f;
     expectPunctual(spot);

@@ -68,7 +68,8 @@ TEST_F(Packing, ColorsAreWithinTheirError) {
     for (size_t i = 0; i < colors.size(); ++i) {
         for (int k = 0; k < 3; ++k) {
             const double wanted = double(colors[i][k]), got = double(results[i].vector(3)[k]);
-            EXPECT_LE(std::abs(got - wanted), 0.5 / 1023 * (2 * std::sqrt(wanted) + 0.5 / 1023) + 1e-6) << wanted;
+            EXPECT_LE(std::abs(got - wanted), 0.5 / 1023 * (2 * std::sqrt(wanted) + 0.5 / 1023) + 1e-6)
+                << wanted;
             const double promised = wanted >= 0.99 ? 0.001 : wanted >= 0.01 ? 0.01 : 1e9;
             EXPECT_LE(std::abs(got - wanted), promised * wanted) << wanted;
         }
@@ -108,7 +109,8 @@ constexpr double kHalfStep = 0.5 / (1 << 24);   // of the smallest exponent
 void expectRadiance(const std::vector<glm::vec3>& values) {
     const std::vector<Record> results = pack(values);
     for (size_t i = 0; i < values.size(); ++i) {
-        const glm::dvec3 wanted = glm::min(glm::dvec3(values[i]), glm::dvec3(65408)), got = results[i].vector(6);
+        const glm::dvec3 wanted = glm::min(glm::dvec3(values[i]), glm::dvec3(65408)),
+                         got = results[i].vector(6);
         const double largest = std::max({wanted.x, wanted.y, wanted.z});
         for (int k = 0; k < 3; ++k)
             EXPECT_LE(std::abs(got[k] - wanted[k]), std::max(largest / 512, kHalfStep))
@@ -136,7 +138,8 @@ TEST_F(Packing, RadianceAtItsEnds) {
                                               {kNan, 2, kNan},
                                               {-1, -kInfinity, 4},
                                               {65408, 65407, 32768}});
-    const glm::vec3 expected[] = {{0, 0, 0}, {0, 0, 0}, {65408, 0, 0}, {65408, 65408, 65408}, {0, 2, 0}, {0, 0, 4}};
+    const glm::vec3 expected[] = {{0, 0, 0}, {0, 0, 0}, {65408, 0, 0}, {65408, 65408, 65408},
+                                  {0, 2, 0}, {0, 0, 4}};
     for (size_t i = 0; i < std::size(expected); ++i) EXPECT_EQ(results[i].vector(6), expected[i]) << i;
     EXPECT_EQ(results[0].words[12], 0u);
     EXPECT_EQ(results[6].vector(6), glm::vec3(65408, 65408, 32768));

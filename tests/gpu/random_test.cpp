@@ -21,8 +21,8 @@ constexpr uint32_t kIndices = 13;
 std::vector<uvec4> run(std::array<uint32_t, 4> parameters, const std::vector<RsAliasEntry>& table) {
     static const tests::Kernel kernel(k_random_spv, 3);
     std::vector<uvec4> results(kPixels);
-    kernel.run(kPixels / 64, {tests::in(std::vector<uint32_t>(parameters.begin(), parameters.end())), tests::in(table),
-                              tests::out(results)});
+    kernel.run(kPixels / 64, {tests::in(std::vector<uint32_t>(parameters.begin(), parameters.end())),
+                              tests::in(table), tests::out(results)});
     return results;
 }
 
@@ -37,8 +37,8 @@ double uniformZ(const std::vector<uint64_t>& counts) {
     return tests::chiSquareZ(counts, equal, std::accumulate(counts.begin(), counts.end(), uint64_t{0}));
 }
 
-// Of pairs of numbers that should have nothing to do with one another: over a 32 x 32 grid, and their correlation in
-// standard errors.
+// Of pairs of numbers that should have nothing to do with one another: over a 32 x 32 grid, and their
+// correlation in standard errors.
 struct Independence {
     double chi = 0, correlation = 0;
 };
@@ -83,21 +83,35 @@ TEST_F(Random, IsUniform) {
 TEST_F(Random, NeighboursStagesAndFramesAreIndependent) {
     const std::vector<uvec4> here = streams(7, 0), stage = streams(7, 1), frame = streams(8, 0);
     const auto first = [&](uint32_t i) { return here[i].x; };
-    expectIndependent(independence(first, [&](uint32_t i) { return here[i].y; }, kPixels), "the next number");
-    expectIndependent(independence(first, [&](uint32_t i) { return here[i + 1].x; }, kPixels - 1), "the next pixel");
-    expectIndependent(independence(first, [&](uint32_t i) { return here[i + kWidth].x; }, kPixels - kWidth), "the next row");
-    expectIndependent(independence(first, [&](uint32_t i) { return here[i + kWidth + 1].x; }, kPixels - kWidth - 1),
+    expectIndependent(independence(
+                          first, [&](uint32_t i) { return here[i].y; }, kPixels),
+                      "the next number");
+    expectIndependent(independence(
+                          first, [&](uint32_t i) { return here[i + 1].x; }, kPixels - 1),
+                      "the next pixel");
+    expectIndependent(independence(
+                          first, [&](uint32_t i) { return here[i + kWidth].x; }, kPixels - kWidth),
+                      "the next row");
+    expectIndependent(independence(
+                          first, [&](uint32_t i) { return here[i + kWidth + 1].x; }, kPixels - kWidth - 1),
                       "the diagonal");
-    expectIndependent(independence(first, [&](uint32_t i) { return stage[i].x; }, kPixels), "the next stage");
-    expectIndependent(independence(first, [&](uint32_t i) { return frame[i].x; }, kPixels), "the next frame");
-    expectIndependent(independence(first, [&](uint32_t i) { return frame[i].y; }, kPixels), "the next frame's second");
+    expectIndependent(independence(
+                          first, [&](uint32_t i) { return stage[i].x; }, kPixels),
+                      "the next stage");
+    expectIndependent(independence(
+                          first, [&](uint32_t i) { return frame[i].x; }, kPixels),
+                      "the next frame");
+    expectIndependent(independence(
+                          first, [&](uint32_t i) { return frame[i].y; }, kPixels),
+                      "the next frame's second");
     // The same test sees a stream beside itself.
     EXPECT_GT(independence(first, first, kPixels).correlation, 100);
 }
 
 TEST_F(Random, SameSeedSameBits) {
     const std::vector<uvec4> a = streams(3, 2), b = streams(3, 2);
-    for (uint32_t i = 0; i < kPixels; ++i) ASSERT_TRUE(a[i].x == b[i].x && a[i].y == b[i].y && a[i].w == b[i].w);
+    for (uint32_t i = 0; i < kPixels; ++i)
+        ASSERT_TRUE(a[i].x == b[i].x && a[i].y == b[i].y && a[i].w == b[i].w);
 }
 
 TEST_F(Random, LightsAreDrawnByTheirSelection) {

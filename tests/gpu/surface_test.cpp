@@ -22,7 +22,8 @@ class ReservoirTest : public tests::GpuTest {};
 
 std::vector<restir::gpu::RsView> viewsOf(const std::vector<TestCamera>& cameras) {
     std::vector<restir::gpu::RsView> views;
-    for (const TestCamera& camera : cameras) views.push_back(restir::makeView(camera.sdk(), {kExtent.x, kExtent.y}));
+    for (const TestCamera& camera : cameras)
+        views.push_back(restir::makeView(camera.sdk(), {kExtent.x, kExtent.y}));
     return views;
 }
 
@@ -31,8 +32,12 @@ TEST_F(SurfaceTest, PositionsGoToPixelsAndBack) {
     std::vector<Record> records;
     for (uint32_t c = 0; c < cameras.size(); ++c)
         for (glm::vec3 point : cameras[c].visiblePoints())
-            records.push_back(RecordOf(Value::Projected).add(c).add(kExtent.x).add(kExtent.y).add(point).add(
-                static_cast<float>(cameras[c].pixelAndDepth(point, kExtent).z)));
+            records.push_back(RecordOf(Value::Projected)
+                                  .add(c)
+                                  .add(kExtent.x)
+                                  .add(kExtent.y)
+                                  .add(point)
+                                  .add(static_cast<float>(cameras[c].pixelAndDepth(point, kExtent).z)));
     const std::vector<Record> results = tests::evaluate(records, viewsOf(cameras));
     for (size_t i = 0; i < records.size(); ++i) {
         const TestCamera& camera = cameras[records[i].words[1]];
@@ -56,7 +61,11 @@ TEST_F(SurfaceTest, TowardsTheEyeIsUnitAndRight) {
     const std::vector<TestCamera> cameras = tests::testCameras();
     std::vector<Record> records;
     for (uint32_t c = 0; c < cameras.size(); ++c)
-        records.push_back(RecordOf(Value::Projected).add(c).add(kExtent.x).add(kExtent.y).add(cameras[c].visiblePoints()[5]));
+        records.push_back(RecordOf(Value::Projected)
+                              .add(c)
+                              .add(kExtent.x)
+                              .add(kExtent.y)
+                              .add(cameras[c].visiblePoints()[5]));
     const std::vector<Record> results = tests::evaluate(records, viewsOf(cameras));
     for (size_t i = 0; i < records.size(); ++i) {
         const glm::dmat4 worldFromView = glm::inverse(glm::dmat4(cameras[i].viewFromWorld));
@@ -102,13 +111,16 @@ TEST_F(SurfaceTest, SurvivesItsTwentyFourBytes) {
 TEST_F(SurfaceTest, NormalsFaceTheViewer) {
     std::mt19937 random(6);
     std::normal_distribution<float> normal;
-    const auto direction = [&] { return glm::normalize(glm::vec3(normal(random), normal(random), normal(random))); };
+    const auto direction = [&] {
+        return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+    };
     std::vector<Record> records;
     for (int i = 0; i < 4000; ++i)
         records.push_back(RecordOf(Value::Faced).add(direction()).add(direction()).add(direction()));
     const std::vector<Record> results = tests::evaluate(records);
     for (size_t i = 0; i < records.size(); ++i) {
-        const glm::vec3 view = records[i].vector(7), shading = results[i].vector(0), geometric = results[i].vector(3);
+        const glm::vec3 view = records[i].vector(7), shading = results[i].vector(0),
+                        geometric = results[i].vector(3);
         EXPECT_GE(glm::dot(geometric, view), 0);
         EXPECT_GE(glm::dot(shading, view), 9e-4f);
         EXPECT_NEAR(glm::length(shading), 1, 1e-5);

@@ -39,6 +39,7 @@ private:
 };
 
 // One result for each record.
-std::vector<Record> evaluate(const std::vector<Record>& records, const std::vector<restir::gpu::RsView>& views = {});
+std::vector<Record> evaluate(const std::vector<Record>& records,
+                             const std::vector<restir::gpu::RsView>& views = {});
 
 }   // namespace tests

@@ -115,7 +115,8 @@ TEST_F(LightPack, AnErrorChangesNothing) {
     ASSERT_EQ(pack({triangle(7), bad}), Status::InvalidArgument);
     ASSERT_EQ(packed_.lights.size(), before.lights.size());
     ASSERT_EQ(packed_.alias.size(), before.alias.size());
-    for (size_t i = 0; i < before.lights.size(); ++i) EXPECT_EQ(packed_.lights[i].selection, before.lights[i].selection);
+    for (size_t i = 0; i < before.lights.size(); ++i)
+        EXPECT_EQ(packed_.lights[i].selection, before.lights[i].selection);
 }
 
 TEST_F(LightPack, GapsInTheIdsHoldNoLight) {
@@ -155,7 +156,8 @@ TEST_F(LightPack, DegenerateTrianglesAreNeverDrawn) {
 
 // Finite corners whose area is not.
 TEST_F(LightPack, RefusesTrianglesTooLargeForTheShaders) {
-    const Light infinite{.id = 0, .position = {-1e25f, 0, 0}, .vertex1 = {1e25f, 1e25f, 1e25f}, .vertex2 = {0, 0, -1e25f}};
+    const Light infinite{
+        .id = 0, .position = {-1e25f, 0, 0}, .vertex1 = {1e25f, 1e25f, 1e25f}, .vertex2 = {0, 0, -1e25f}};
     const Light undefined{.id = 0, .vertex1 = {1e25f, 1e25f, 1e25f}, .vertex2 = {1e25f, 2e25f, 3e25f}};
     for (const Light& huge : {infinite, undefined}) {
         EXPECT_EQ(pack({triangle(1), huge}), Status::InvalidArgument);
@@ -199,7 +201,8 @@ TEST_F(LightPack, TriangleFields) {
     EXPECT_EQ(at(0).kindAndTexture >> RS_LIGHT_TEXTURE_SHIFT, RS_LIGHT_NO_TEXTURE);
 }
 
-// glTF's recommended spot attenuation: clamp(cos x scale + offset)^2 with 1 inside the inner cone, 0 outside the outer.
+// glTF's recommended spot attenuation: clamp(cos x scale + offset)^2 with 1 inside the inner cone, 0 outside
+// the outer.
 TEST_F(LightPack, SpotFields) {
     Light light = of(LightKind::Spot, 0);
     light.direction[0] = 3;
@@ -212,7 +215,9 @@ TEST_F(LightPack, SpotFields) {
     EXPECT_FLOAT_EQ(at(0).edge1.x, 0.6f);
     EXPECT_FLOAT_EQ(at(0).edge1.z, -0.8f);
     EXPECT_EQ(at(0).edge2.z, 12);
-    const auto cone = [&](double angle) { return std::cos(angle) * double(at(0).edge2.x) + double(at(0).edge2.y); };
+    const auto cone = [&](double angle) {
+        return std::cos(angle) * double(at(0).edge2.x) + double(at(0).edge2.y);
+    };
     EXPECT_NEAR(cone(0.3), 1, 1e-5);
     EXPECT_NEAR(cone(0.6), 0, 1e-5);
 }

@@ -16,11 +16,11 @@ TEST(DeviceNeeds, ChainsEveryStructOnce) {
     std::multiset<VkStructureType> types;
     const auto* link = reinterpret_cast<const VkBaseInStructure*>(wanted.chain());
     for (int i = 0; link && i < 20; ++i, link = link->pNext) types.insert(link->sType);
-    const std::multiset<VkStructureType> all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
-                                             VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
-                                             VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
-                                             VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR,
-                                             VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
+    const std::multiset<VkStructureType> all{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR,
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
     EXPECT_EQ(types, all);
 }
 
@@ -54,7 +54,9 @@ TEST(DeviceNeeds, NamesRayQuery) {
 TEST(CheckDevice, NamesWhatIsNull) {
     std::string said;
     restir::DeviceInfo info;
-    info.messages = {&said, [](void* user, restir::Severity, const char* text) { *static_cast<std::string*>(user) = text; }};
+    info.messages = {&said, [](void* user, restir::Severity, const char* text) {
+                         *static_cast<std::string*>(user) = text;
+                     }};
     EXPECT_EQ(restir::checkDevice(info, restir::RayBackend::RayQuery), restir::Status::InvalidArgument);
     EXPECT_NE(said.find("getInstanceProcAddr"), std::string::npos) << said;
     info.getInstanceProcAddr = [](VkInstance, const char*) -> PFN_vkVoidFunction { return nullptr; };

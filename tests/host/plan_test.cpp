@@ -69,7 +69,8 @@ std::vector<bool> barriersOf(const Plan& plan) {
 
 bool uses(const PassInfo& pass, Resource resource, bool writing) {
     for (const auto& use : pass.uses())
-        if (use.resource == resource && (writing ? writes(use.access) : use.access != Access::Write)) return true;
+        if (use.resource == resource && (writing ? writes(use.access) : use.access != Access::Write))
+            return true;
     return false;
 }
 
@@ -77,13 +78,17 @@ Resource reservoirBuffer(uint32_t i) { return i == 0 ? Resource::ReservoirsA : R
 
 TEST(Plan, OrderOfStages) {
     using Names = std::vector<std::string>;
-    const auto order = [](bool history, const Settings& s) { return names(makePlan({kExtent, history, 0}, s)); };
-    EXPECT_EQ(order(true, {}), (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
+    const auto order = [](bool history, const Settings& s) {
+        return names(makePlan({kExtent, history, 0}, s));
+    };
+    EXPECT_EQ(order(true, {}),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
     EXPECT_EQ(order(false, {}), (Names{"surface.pack", "di.candidates", "di.spatial", "di.shade"}));
     EXPECT_EQ(order(true, settingsOf(false, 0, VisibilityReuse::None)),
               (Names{"surface.pack", "di.candidates", "di.shade"}));
-    EXPECT_EQ(order(true, settingsOf(true, 2, VisibilityReuse::Traced)),
-              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial", "di.shade"}));
+    EXPECT_EQ(
+        order(true, settingsOf(true, 2, VisibilityReuse::Traced)),
+        (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial", "di.shade"}));
     EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent}}), (Names{"surface.pack", "di.next_event"}));
 }
 
@@ -97,7 +102,8 @@ TEST(Plan, GroupsCoverTheExtent) {
 
 TEST(Plan, SpatialPassesAreNumbered) {
     uint32_t next = 0;
-    for (const PassInfo& pass : makePlan({kExtent, true, 0}, settingsOf(true, 3, VisibilityReuse::Traced)).passes) {
+    for (const PassInfo& pass :
+         makePlan({kExtent, true, 0}, settingsOf(true, 3, VisibilityReuse::Traced)).passes) {
         if (std::string(pass.name) != "di.spatial") continue;
         EXPECT_EQ(pass.index, next++);
     }
@@ -168,7 +174,8 @@ TEST(Plan, NextEventLeavesReservoirsAlone) {
         const Plan plan = makePlan({kExtent, true, in}, {.di = {.mode = DirectMode::NextEvent}});
         EXPECT_EQ(plan.historyOut, in);
         for (const PassInfo& pass : plan.passes)
-            for (uint32_t buffer : {0u, 1u}) EXPECT_FALSE(uses(pass, reservoirBuffer(buffer), true)) << pass.name;
+            for (uint32_t buffer : {0u, 1u})
+                EXPECT_FALSE(uses(pass, reservoirBuffer(buffer), true)) << pass.name;
     }
 }
 

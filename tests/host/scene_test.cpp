@@ -68,8 +68,8 @@ void expectSound(const SceneData& scene) {
         }
     }
     for (const auto& material : scene.materials)
-        for (uint32_t texture : {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
-                                 material.emissionTexture})
+        for (uint32_t texture : {material.baseColorTexture, material.metallicRoughnessTexture,
+                                 material.normalTexture, material.emissionTexture})
             ASSERT_TRUE(texture == RS_NO_TEXTURE || texture < scene.textures.size());
     for (const auto& texture : scene.textures) ASSERT_LT(texture.image, scene.images.size());
 }
@@ -77,7 +77,8 @@ void expectSound(const SceneData& scene) {
 class TemporaryFile {
 public:
     TemporaryFile(const std::string& name, const std::string& content)
-        : path_(std::filesystem::temp_directory_path() / ("restir-" + std::to_string(std::random_device()()) + name)) {
+        : path_(std::filesystem::temp_directory_path() /
+                ("restir-" + std::to_string(std::random_device()()) + name)) {
         std::ofstream(path_, std::ios::binary) << content;
     }
     ~TemporaryFile() { std::filesystem::remove(path_); }
@@ -172,7 +173,8 @@ TEST(Scene, EveryTruncationIsAnError) {
 TEST(Scene, BrokenReferencesAreErrors) {
     const auto expectBroken = [](const std::string& from, const std::string& to) {
         const TemporaryFile file("broken.gltf", replaced(kTriangle, from, to));
-        EXPECT_NE(errorOf(file.path()).find(file.path()), std::string::npos) << to << ": " << errorOf(file.path());
+        EXPECT_NE(errorOf(file.path()).find(file.path()), std::string::npos)
+            << to << ": " << errorOf(file.path());
     };
     expectBroken(R"("count":3)", R"("count":4)");
     expectBroken(R"("POSITION":0)", R"("POSITION":1)");
@@ -214,8 +216,10 @@ TEST(SortTriangles, SplitsTheLongestAxis) {
     float low = -1, high = 11;
     for (size_t i = 0; i < order.size(); ++i) {
         const float y = centroids[order[i]].y;
-        if (i <= 250) low = std::max(low, y);
-        else high = std::min(high, y);
+        if (i <= 250)
+            low = std::max(low, y);
+        else
+            high = std::min(high, y);
     }
     EXPECT_LE(low, high);
 }

@@ -19,22 +19,30 @@ double affine(restir::gpu::vec4 row, glm::dvec3 p) {
     return double(row.x) * p.x + double(row.y) * p.y + double(row.z) * p.z + double(row.w);
 }
 
-double depthOf(const RsView& view, glm::dvec3 p) { return double(view.zSign) * affine(view.viewFromWorld[2], p); }
+double depthOf(const RsView& view, glm::dvec3 p) {
+    return double(view.zSign) * affine(view.viewFromWorld[2], p);
+}
 
 glm::dvec2 pixelOf(const RsView& view, glm::dvec3 p) {
     const double depth = depthOf(view, p), w = view.perspective > 0.5f ? depth : 1;
     const glm::dvec2 xy(affine(view.viewFromWorld[0], p), affine(view.viewFromWorld[1], p));
-    const glm::dvec2 ndc((xy.x * double(view.projection.x) + double(view.projection.z) * depth + double(view.translation.x)) / w,
-                         (xy.y * double(view.projection.y) + double(view.projection.w) * depth + double(view.translation.y)) / w);
+    const glm::dvec2 ndc(
+        (xy.x * double(view.projection.x) + double(view.projection.z) * depth + double(view.translation.x)) /
+            w,
+        (xy.y * double(view.projection.y) + double(view.projection.w) * depth + double(view.translation.y)) /
+            w);
     return ((ndc + glm::dvec2(view.jitter.x, view.jitter.y)) * 0.5 + 0.5) * glm::dvec2(kExtent);
 }
 
 glm::dvec3 positionOf(const RsView& view, glm::dvec2 pixel, double depth) {
     const glm::dvec2 ndc = pixel / glm::dvec2(kExtent) * 2.0 - 1.0 - glm::dvec2(view.jitter.x, view.jitter.y);
     const double w = view.perspective > 0.5f ? depth : 1;
-    const double x = (ndc.x * w - double(view.projection.z) * depth - double(view.translation.x)) / double(view.projection.x);
-    const double y = (ndc.y * w - double(view.projection.w) * depth - double(view.translation.y)) / double(view.projection.y);
-    return toGlm(view.eye) + toGlm(view.axisX) * x + toGlm(view.axisY) * y + toGlm(view.axisZ) * (double(view.zSign) * depth);
+    const double x = (ndc.x * w - double(view.projection.z) * depth - double(view.translation.x)) /
+                     double(view.projection.x);
+    const double y = (ndc.y * w - double(view.projection.w) * depth - double(view.translation.y)) /
+                     double(view.projection.y);
+    return toGlm(view.eye) + toGlm(view.axisX) * x + toGlm(view.axisY) * y +
+           toGlm(view.axisZ) * (double(view.zSign) * depth);
 }
 
 double depthFromDevice(const RsView& view, double device) {
@@ -64,7 +72,8 @@ TEST(View, PositionsComeBack) {
         const RsView view = viewOf(camera);
         for (glm::vec3 point : camera.visiblePoints()) {
             const glm::dvec3 back = positionOf(view, pixelOf(view, point), depthOf(view, point));
-            EXPECT_LT(glm::length(back - glm::dvec3(point)), 1e-5 * (glm::length(glm::dvec3(point)) + depthOf(view, point)));
+            EXPECT_LT(glm::length(back - glm::dvec3(point)),
+                      1e-5 * (glm::length(glm::dvec3(point)) + depthOf(view, point)));
         }
     }
 }

@@ -49,6 +49,27 @@ TEST(ClosedForm, RectangleOverPlane) {
     verdict.expectUnitVariance();
 }
 
+// The black half of the lamp takes its half of the light away, in both triangles.
+TEST(ClosedForm, HalfBlackTexture) {
+    samples::SceneData scene = planeScene();
+    const uint32_t texture = samples::build::addTexture(
+        scene, samples::build::paint(8, 8, false, [](glm::vec2 at) { return glm::vec4(at.x < 0.5f ? 0 : 1); }));
+    scene.textures[texture].nearest = true;
+    addQuad(scene, lamp({0, 1, 0}, 0.5f), {.color = {0, 0, 0}, .emission = kRadiance, .emissionTexture = texture});
+    World world(std::move(scene), kExtent);
+    const Patch bright{.origin = {0, 1, -0.5f}, .u = {0.5f, 0, 0}, .v = {0, 0, 1}};
+    const ReferenceBlocks truth = exactly(planePicture(world.view(), kExtent, 4, [&](glm::dvec3 p) {
+        return glm::dvec3(kRadiance) * lampIrradiance(bright, p);
+    }));
+
+    const std::vector<NamedSettings> all = unbiasedSettings();
+    Verdict verdict(all.size() - 8 + 1, kPictures);
+    for (uint32_t i = 8; i < all.size(); ++i)   // pairwise weights, ris, nee
+        verdict.add("texture " + all[i].name, compare(pictures(world, 100 + i, all[i].settings), truth));
+    verdict.add("texture reference", compare(world.referenceSeeds(kPictures, sequenceOf(world), {.paths = 8}), truth));
+    verdict.expectUnitVariance();
+}
+
 class Occluded : public testing::Test {
 protected:
     static void SetUpTestSuite() {

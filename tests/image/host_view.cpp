@@ -98,11 +98,13 @@ void HostView::record(VkCommandBuffer cmd, const restir::FrameInput& input, cons
     const restir::Scope scope = restir::Session::outputScope();
     const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
     const samples::GpuImage& target = targets_[input.frameSlot];
-    samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, {kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED}, written)}});
+    const Access before{kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last use was copied
+    samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, before, written)}});
     device().check(session_->record(cmd, input, settings), "Session::record");
     samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, written, kCopyFrom)}});
     VkExtent2D& extent = extents_[input.frameSlot];
-    extent = {input.extent.width + uint32_t(input.output.origin.x), input.extent.height + uint32_t(input.output.origin.y)};
+    extent.width = input.extent.width + uint32_t(input.output.origin.x);
+    extent.height = input.extent.height + uint32_t(input.output.origin.y);
     const VkBufferImageCopy region = wholeImage(extent);
     vkCmdCopyImageToBuffer(cmd, target.handle(), kCopyFrom.layout, readbacks_[input.frameSlot].handle(), 1, &region);
     samples::memoryBarrier(cmd, kCopyTo, {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});

@@ -80,7 +80,7 @@ TEST_F(SessionTest, FourFramesInOneCommandBuffer) {
 
 TEST_F(SessionTest, ExtentsUpToTheLargest) {
     uint32_t index = 0;
-    for (VkExtent2D extent : {kExtent, VkExtent2D{17, 9}, VkExtent2D{1, 1}, VkExtent2D{1, 24}, VkExtent2D{40, 1}, kExtent}) {
+    for (VkExtent2D extent : std::initializer_list<VkExtent2D>{kExtent, {17, 9}, {1, 1}, {1, 24}, {40, 1}, kExtent}) {
         SCOPED_TRACE(std::to_string(extent.width) + " x " + std::to_string(extent.height));
         host->resize(extent);
         for (uint32_t i = 0; i < 3; ++i) {
@@ -114,8 +114,8 @@ TEST_F(SessionTest, TimingsNameThePlannedPasses) {
     ASSERT_TRUE(planned);
     std::vector<std::string> names;
     for (const restir::PassInfo& pass : *planned) names.emplace_back(pass.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial",
-                                               "di.shade"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"surface.pack", "di.candidates", "di.temporal", "di.spatial",
+                                               "di.spatial", "di.shade"}));
     frames(1, 1);
     const auto timings = host->session().timings(1);
     ASSERT_TRUE(device().hasTimestamps());
@@ -156,7 +156,8 @@ TEST_F(SessionTest, RayLogHoldsWhatWasTraced) {
     settings.counters = true;
     logged.frames(0, 2, settings);
     const restir::Counters counters = logged.session().counters(1);
-    EXPECT_EQ(counters.loggedRays, counters.rays);   // asked for; those beyond the capacity are dropped
+    EXPECT_GT(counters.rays, 100u);
+    EXPECT_EQ(counters.loggedRays, 100u);
     EXPECT_EQ(host->session().rayLog(), VkBuffer{});
 }
 

@@ -48,7 +48,8 @@ bool planePoint(const samples::CameraPose& pose, VkExtent2D extent, glm::dvec2 p
     return direction.y < 0;
 }
 
-samples::FloatImage planePicture(const samples::View& view, VkExtent2D extent, uint32_t n, const Irradiance& irradiance) {
+samples::FloatImage planePicture(const samples::View& view, VkExtent2D extent, uint32_t n,
+                                const Irradiance& irradiance) {
     const samples::CameraPose pose = samples::makePose(view, extent);
     samples::FloatImage image{extent.width, extent.height, {}};
     for (uint32_t y = 0; y < extent.height; ++y) {

@@ -26,7 +26,8 @@ double lampIrradiance(const samples::build::Patch& lamp, glm::dvec3 point);   //
 
 // The plane from the irradiance at each of its points, as the mean over n x n positions in a pixel.
 using Irradiance = std::function<glm::dvec3(glm::dvec3)>;
-samples::FloatImage planePicture(const samples::View& view, VkExtent2D extent, uint32_t n, const Irradiance& irradiance);
+samples::FloatImage planePicture(const samples::View& view, VkExtent2D extent, uint32_t n,
+                                const Irradiance& irradiance);
 // Where the centre of a pixel sees the plane; false: it does not.
 bool planePoint(const samples::CameraPose& pose, VkExtent2D extent, glm::dvec2 pixel, glm::dvec3& point);
 

@@ -57,16 +57,26 @@ double TestCamera::linearDepth(glm::vec3 position) const {
 }
 
 std::vector<TestCamera> testCameras() {
-    const glm::mat4 rightHanded = glm::lookAtRH(glm::vec3(3, 2, 5), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0.2f));
+    const glm::mat4 rightHanded =
+        glm::lookAtRH(glm::vec3(3, 2, 5), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0.2f));
     const glm::mat4 leftHanded = glm::lookAtLH(glm::vec3(-4, 3, 1), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0));
     const glm::mat4 scaled = glm::scale(glm::mat4(1), glm::vec3(1, 1, 2)) * rightHanded;
     return {
         {"right-handed", rightHanded, flipped(glm::perspectiveRH_ZO(0.9f, 1.6f, 0.5f, 60.0f)), {0, 0}},
         {"left-handed", leftHanded, flipped(glm::perspectiveLH_ZO(1.2f, 1.6f, 0.5f, 60.0f)), {0.4f, -0.3f}},
-        {"off-centre", rightHanded, flipped(glm::frustumRH_ZO(-0.2f, 0.5f, -0.1f, 0.4f, 0.5f, 40.0f)), {-0.25f, 0.45f}},
-        {"left-handed off-centre", leftHanded, glm::frustumLH_ZO(-0.4f, 0.1f, -0.3f, 0.2f, 0.5f, 40.0f), {0.2f, 0.1f}},
+        {"off-centre",
+         rightHanded,
+         flipped(glm::frustumRH_ZO(-0.2f, 0.5f, -0.1f, 0.4f, 0.5f, 40.0f)),
+         {-0.25f, 0.45f}},
+        {"left-handed off-centre",
+         leftHanded,
+         glm::frustumLH_ZO(-0.4f, 0.1f, -0.3f, 0.2f, 0.5f, 40.0f),
+         {0.2f, 0.1f}},
         {"reversed infinite", rightHanded, reversedInfinite(), {0.5f, 0.5f}},
-        {"orthographic", rightHanded, flipped(glm::orthoRH_ZO(-2.0f, 3.0f, -1.5f, 1.0f, 0.5f, 30.0f)), {0.3f, -0.1f}},
+        {"orthographic",
+         rightHanded,
+         flipped(glm::orthoRH_ZO(-2.0f, 3.0f, -1.5f, 1.0f, 0.5f, 30.0f)),
+         {0.3f, -0.1f}},
         {"scaled view", scaled, flipped(glm::perspectiveRH_ZO(0.9f, 1.6f, 0.5f, 60.0f)), {0, 0}},
     };
 }

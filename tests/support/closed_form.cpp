@@ -27,7 +27,8 @@ double cone(const Light& light, glm::dvec3 travel) {
 }
 
 glm::dvec3 triangleLight(const Light& light, glm::dvec3 point, glm::dvec3 n) {
-    const std::array<glm::dvec3, 3> corners{toGlm(light.position), toGlm(light.vertex1), toGlm(light.vertex2)};
+    const std::array<glm::dvec3, 3> corners{toGlm(light.position), toGlm(light.vertex1),
+                                            toGlm(light.vertex2)};
     int above = 0;
     for (glm::dvec3 corner : corners) above += glm::dot(corner - point, n) > 0 ? 1 : 0;
     if (above == 0) return glm::dvec3(0);
@@ -41,8 +42,10 @@ glm::dvec3 triangleLight(const Light& light, glm::dvec3 point, glm::dvec3 n) {
 double triangleIrradiance(glm::dvec3 point, glm::dvec3 n, std::span<const glm::dvec3, 3> corners) {
     double sum = 0;
     for (size_t i = 0; i < 3; ++i) {
-        const glm::dvec3 a = glm::normalize(corners[i] - point), b = glm::normalize(corners[(i + 1) % 3] - point);
-        const glm::dvec3 axis = glm::cross(b, a);   // counter-clockwise seen from the point counts as positive
+        const glm::dvec3 a = glm::normalize(corners[i] - point),
+                         b = glm::normalize(corners[(i + 1) % 3] - point);
+        const glm::dvec3 axis =
+            glm::cross(b, a);   // counter-clockwise seen from the point counts as positive
         sum += std::atan2(glm::length(axis), glm::dot(a, b)) * glm::dot(glm::normalize(axis), n);
     }
     return 0.5 * sum;
@@ -52,7 +55,8 @@ double triangleSolidAngle(glm::dvec3 point, std::span<const glm::dvec3, 3> corne
     const glm::dvec3 a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
     const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
     const double volume = std::abs(glm::dot(a, glm::cross(b, c)));
-    return 2 * std::atan2(volume, la * lb * lc + glm::dot(a, b) * lc + glm::dot(a, c) * lb + glm::dot(b, c) * la);
+    return 2 *
+           std::atan2(volume, la * lb * lc + glm::dot(a, b) * lc + glm::dot(a, c) * lb + glm::dot(b, c) * la);
 }
 
 glm::dvec3 lightIrradiance(const Light& light, glm::dvec3 point, glm::dvec3 n) {
@@ -64,8 +68,9 @@ glm::dvec3 lightIrradiance(const Light& light, glm::dvec3 point, glm::dvec3 n) {
     const glm::dvec3 toLight = toGlm(light.position) - point;
     const double distance = glm::length(toLight);
     const double cosine = std::max(glm::dot(toLight / distance, n), 0.0);
-    return toGlm(light.emission) * (cone(light, -toLight / distance) * rangeWindow(distance, double(light.range)) *
-                                    cosine / (distance * distance));
+    return toGlm(light.emission) *
+           (cone(light, -toLight / distance) * rangeWindow(distance, double(light.range)) * cosine /
+            (distance * distance));
 }
 
 }   // namespace tests

@@ -9,8 +9,8 @@
 
 namespace tests {
 
-// Lambert 1760: irradiance at `point` on a plane of normal `n` by a triangle of radiance 1 that lies above that plane.
-// Negative where the triangle shows its back (clockwise).
+// Lambert 1760: irradiance at `point` on a plane of normal `n` by a triangle of radiance 1 that lies above
+// that plane. Negative where the triangle shows its back (clockwise).
 double triangleIrradiance(glm::dvec3 point, glm::dvec3 n, std::span<const glm::dvec3, 3> corners);
 // Van Oosterom & Strackee 1983; positive.
 double triangleSolidAngle(glm::dvec3 point, std::span<const glm::dvec3, 3> corners);

@@ -54,7 +54,9 @@ private:
 class GpuTest : public ::testing::Test {
 protected:
     void SetUp() override { messages_ = gpu().validationMessages(); }
-    void TearDown() override { EXPECT_EQ(gpu().validationMessages(), messages_) << "validation messages, see stderr"; }
+    void TearDown() override {
+        EXPECT_EQ(gpu().validationMessages(), messages_) << "validation messages, see stderr";
+    }
 
 private:
     uint32_t messages_ = 0;

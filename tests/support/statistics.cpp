@@ -37,8 +37,10 @@ double chiSquareZ(std::span<const uint64_t> counts, std::span<const double> prob
     // Whatever no bin holds belongs to the pool.
     pooledCount += static_cast<double>(total) - counted;
     pooledExpected += static_cast<double>(total) - expectedSum;
-    if (pooledExpected >= kLeast) add(pooledCount, pooledExpected);
-    else if (pooledCount > 10 * kLeast) return std::numeric_limits<double>::infinity();
+    if (pooledExpected >= kLeast)
+        add(pooledCount, pooledExpected);
+    else if (pooledCount > 10 * kLeast)
+        return std::numeric_limits<double>::infinity();
     const double freedom = bins - 1;
     if (freedom < 1) return 0;
     const double spread = 2 / (9 * freedom);

@@ -44,6 +44,7 @@ struct RsPass {
     uint source;   // reservoir buffer the pass reads
     uint target;   // and the one it writes
     uint index;    // of this pass among its like: decorrelates random numbers
+    uint shades;   // di.spatial: 1 if it writes the outputs, too
 };
 
 // Sums over a frame, for reports and tests; written only with RS_FRAME_COUNT.

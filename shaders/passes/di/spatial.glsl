@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define RS_PASS_RAYS
 #include "passes/bindings.glsl"
+#include "passes/output.glsl"
 #include "restir/di/spatial.glsl"
 
 void main() {
@@ -10,6 +11,8 @@ void main() {
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir canonical = rsLoadSource(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index);
-    rsReservoirs[rsPass.target].at[rsIndex(pixel)] =
-        s.valid ? rsDiSpatial(s, canonical, pixel, rsFrame.extent, rsFrame.di, random) : canonical;
+    RsCombined combined = RsCombined(canonical, vec3(0.0));
+    if (s.valid) combined = rsDiSpatial(s, canonical, pixel, rsFrame.extent, rsFrame.di, random);
+    rsReservoirs[rsPass.target].at[rsIndex(pixel)] = combined.reservoir;
+    if (rsPass.shades != 0u) rsWriteRadiance(pixel, combined.radiance);
 }

@@ -5,10 +5,12 @@
 //   Pairwise  Bitterli 2022, defensive: with S = sum of the neighbours' c
 //             m_i = S/(S+c_c) c_i p^_i / (c_c p^_c + S p^_i)
 //             m_c = S/(S+c_c) sum (c_i/S) c_c p^_c / (c_c p^_c + S p^_i) + c_c/(S+c_c)
-// The shift is the identity on the light with |J| = 1 (restir/lights/light.glsl). With RS_VISIBILITY_TRACED p^_i
-// contains the neighbour's V_i: 1 for its own sample, since that reservoir is visibility-limited, a ray for any other.
-// The canonical's own V is left to one last ray that zeroes W.
+// The shift is the identity on the light with |J| = 1 (restir/lights/light.glsl). With RS_VISIBILITY_TRACED every target
+// contains its pixel's V: 1 for a reservoir's own sample, since that reservoir is visibility-limited, a ray for any other.
 // Nothing here but p^ and W depends on what was sampled: acceptance, confidences and S come from surfaces and counts.
+//
+// Besides the reservoir comes the mean of all inputs, sum m_i f(Y_i) V W_i: as unbiased as shading the selected sample,
+// with less noise in colour and shadow. Off and Pairwise know their m_i; Basic and Balance normalise at one sample only.
 #ifndef RESTIR_DI_COMBINE_GLSL
 #define RESTIR_DI_COMBINE_GLSL
 #include "restir/di/direct.glsl"
@@ -60,83 +62,86 @@ void rsSelect(inout RsSelection selection, RsReservoir r, float weight, float ta
     selection.source = source;
 }
 
-// Every neighbour's own sample, shifted here. None of it needs a ray.
-void rsSelectNeighbours(inout RsSelection selection, RsSurface s, RsNeighbourhood where, float canonicalConfidence,
-                        uint weights, inout RsRandom random) {
+struct RsCombined {
+    RsReservoir reservoir;
+    vec3 radiance;   // sum m_i f(Y_i) V W_i; without meaning for Basic and Balance
+};
+
+// V of a sample from a surface, where weights ask for it.
+bool rsVisibleFor(bool traced, RsSurface s, RsDirect direct) { return !traced || rsUnoccluded(s, direct.incident); }
+
+// Every neighbour's own sample, shifted here.
+void rsSelectNeighbours(inout RsSelection selection, inout vec3 radiance, RsSurface s, RsNeighbourhood where,
+                        float canonicalConfidence, uint weights, bool traced, inout RsRandom random) {
     for (uint i = 0u; i < where.count; ++i) {
         if ((where.accepted & (1u << i)) == 0u) continue;
         RsNeighbour n = rsLoadNeighbour(where, i);
         float coin = rsNext(random);
         if (!rsHasSample(n.reservoir)) continue;
-        float here = rsDirect(s, rsLoadLight(n.reservoir.light), n.reservoir.uv).target;
-        if (here <= 0.0) continue;
-        float there = weights == RS_WEIGHTS_OFF || weights == RS_WEIGHTS_BASIC
-                          ? 1.0
-                          : rsDirect(n.surface, rsLightFor(n, n.reservoir.light), n.reservoir.uv).target;
-        float c = float(rsConfidence(n.reservoir));
-        float mis = c;
+        RsDirect here = rsDirect(s, rsLoadLight(n.reservoir.light), n.reservoir.uv);
+        if (here.target <= 0.0 || !rsVisibleFor(traced, s, here)) continue;
+        bool asksThere = weights == RS_WEIGHTS_BALANCE || weights == RS_WEIGHTS_PAIRWISE;
+        float there = asksThere ? rsDirect(n.surface, rsLightFor(n, n.reservoir.light), n.reservoir.uv).target : 1.0;
+        float mis = float(rsConfidence(n.reservoir));
         if (weights == RS_WEIGHTS_PAIRWISE) {
-            float total = canonicalConfidence * here + where.confidence * there;
-            mis = there > 0.0 ? where.confidence / (where.confidence + canonicalConfidence) * c * there / total : 0.0;
+            float S = where.confidence;
+            float total = canonicalConfidence * here.target + S * there;
+            mis *= S / (S + canonicalConfidence) * there / total;
         }
-        rsSelect(selection, n.reservoir, mis * here * n.reservoir.ucw, here, there, int(i), coin);
+        radiance += mis * n.reservoir.ucw * here.integrand;
+        rsSelect(selection, n.reservoir, mis * here.target * n.reservoir.ucw, here.target, there, int(i), coin);
     }
 }
 
-RsReservoir rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, uint weights, bool traced,
-                      inout RsRandom random) {
+RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, uint weights, bool traced,
+                     inout RsRandom random) {
     float cc = float(rsConfidence(canonical)), S = where.confidence;
-    if (where.accepted == 0u || S <= 0.0) return canonical;
-
-    RsSelection selection = RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1);
-    rsSelectNeighbours(selection, s, where, cc, weights, random);
+    RsDirect own;
+    own.target = 0.0;
+    own.integrand = vec3(0.0);
+    if (rsHasSample(canonical)) own = rsDirect(s, rsLoadLight(canonical.light), canonical.uv);
+    if (where.accepted == 0u || S <= 0.0) return RsCombined(canonical, own.integrand * canonical.ucw);
 
     bool pairwise = weights == RS_WEIGHTS_PAIRWISE;
-    float canonicalTarget =
-        rsHasSample(canonical) ? rsDirect(s, rsLoadLight(canonical.light), canonical.uv).target : 0.0;
+    RsSelection selection = RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1);
+    vec3 radiance = vec3(0.0);
+    rsSelectNeighbours(selection, radiance, s, where, cc, weights, traced, random);
     float coin = rsNext(random);
-    if (!pairwise) rsSelect(selection, canonical, cc * canonicalTarget * canonical.ucw, canonicalTarget, canonicalTarget, -1, coin);
+    if (!pairwise) rsSelect(selection, canonical, cc * own.target * canonical.ucw, own.target, own.target, -1, coin);
 
     // How probable is one sample in each neighbour's domain? Pairwise asks for the canonical's sample, to weigh it;
-    // the others for the selected one, to normalise it. The last round traces the selected sample from here.
-    bool asksCanonical = pairwise && canonicalTarget > 0.0;
+    // the others for the selected one, to normalise it.
+    bool asks = pairwise ? own.target > 0.0 : weights != RS_WEIGHTS_OFF && selection.sum > 0.0;
+    uint askedLight = pairwise ? canonical.light : selection.light;
+    uint askedUv = pairwise ? canonical.uv : selection.uv;
     float canonicalMis = 0.0;
     float normalisation = weights == RS_WEIGHTS_BALANCE ? cc * selection.target : cc;
-    bool visible = true;
-    for (uint i = 0u; i <= where.count; ++i) {
-        bool last = i == where.count;
-        if (!last && (where.accepted & (1u << i)) == 0u) continue;
-        if (last && pairwise) {
-            float mis = (canonicalMis * S + cc) / (S + cc);
-            rsSelect(selection, canonical, mis * canonicalTarget * canonical.ucw, canonicalTarget, canonicalTarget, -1, coin);
-        }
-        bool asks = last ? traced && selection.source >= 0 && selection.sum > 0.0
-                         : asksCanonical || (!pairwise && weights != RS_WEIGHTS_OFF && selection.sum > 0.0);
-        RsNeighbour n;
-        n.surface = s;
-        n.previous = false;
-        if (!last) n = rsLoadNeighbour(where, i);
-        float c = last ? 0.0 : float(rsConfidence(n.reservoir));
-        float there = 0.0;
-        if (asks) {
-            bool canonicalAsked = pairwise && !last;
-            uint light = canonicalAsked ? canonical.light : selection.light;
-            RsDirect direct = rsDirect(n.surface, rsLightFor(n, light), canonicalAsked ? canonical.uv : selection.uv);
-            there = direct.target;
-            bool own = !last && !pairwise && selection.source == int(i);
-            if (traced && !own && there > 0.0 && !rsUnoccluded(n.surface, direct.incident)) there = 0.0;
-        }
-        if (last) visible = !asks || there > 0.0;
-        else if (pairwise) canonicalMis += c / S * (asks ? cc * canonicalTarget / (cc * canonicalTarget + S * there) : 0.0);
-        else normalisation += weights == RS_WEIGHTS_OFF ? c : weights == RS_WEIGHTS_BASIC ? (there > 0.0 ? c : 0.0) : c * there;
+    for (uint i = 0u; asks && i < where.count; ++i) {
+        if ((where.accepted & (1u << i)) == 0u) continue;
+        RsNeighbour n = rsLoadNeighbour(where, i);
+        float c = float(rsConfidence(n.reservoir));
+        RsDirect direct = rsDirect(n.surface, rsLightFor(n, askedLight), askedUv);
+        bool itsOwn = !pairwise && selection.source == int(i);
+        float there = direct.target;
+        if (there > 0.0 && !itsOwn && !rsVisibleFor(traced, n.surface, direct)) there = 0.0;
+        if (pairwise) canonicalMis += c / S * cc * own.target / (cc * own.target + S * there);
+        else normalisation += weights == RS_WEIGHTS_BALANCE ? c * there : there > 0.0 ? c : 0.0;
     }
 
+    if (pairwise) {
+        float mis = (canonicalMis * S + cc) / (S + cc);
+        radiance += mis * canonical.ucw * own.integrand;
+        rsSelect(selection, canonical, mis * own.target * canonical.ucw, own.target, own.target, -1, coin);
+    } else if (weights == RS_WEIGHTS_OFF) {
+        normalisation = cc + S;
+        radiance = (radiance + cc * canonical.ucw * own.integrand) / normalisation;
+    }
     uint confidence = rsConfidence(canonical) + uint(S);
-    if (!(selection.sum > 0.0) || !visible) return rsEmptyReservoir(confidence);
+    if (!(selection.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), radiance);
     float ucw = selection.sum / selection.target;
     if (weights == RS_WEIGHTS_BALANCE) ucw *= selection.sourceTarget / normalisation;
     else if (!pairwise) ucw /= normalisation;
-    return rsMakeReservoir(selection.light, selection.uv, ucw, confidence, selection.age);
+    return RsCombined(rsMakeReservoir(selection.light, selection.uv, ucw, confidence, selection.age), radiance);
 }
 
 #endif

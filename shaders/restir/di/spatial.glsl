@@ -34,8 +34,8 @@ RsNeighbourhood rsFindNeighbours(RsSurface s, uvec2 pixel, uvec2 extent, RsDiCon
     return where;
 }
 
-RsReservoir rsDiSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uvec2 extent, RsDiConstants di,
-                        inout RsRandom random) {
+RsCombined rsDiSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uvec2 extent, RsDiConstants di,
+                       inout RsRandom random) {
     RsNeighbourhood where = rsFindNeighbours(s, pixel, extent, di, random);
     return rsCombine(s, canonical, where, di.weights, di.visibility == RS_VISIBILITY_TRACED, random);
 }

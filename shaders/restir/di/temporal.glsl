@@ -37,7 +37,7 @@ RsNeighbourhood rsFindHistory(RsSurface s, vec2 previousPixel, float expectedDep
 RsReservoir rsDiTemporal(RsSurface s, RsReservoir fresh, vec2 previousPixel, float expectedDepth, uvec2 previousExtent,
                          RsDiConstants di, inout RsRandom random) {
     RsNeighbourhood where = rsFindHistory(s, previousPixel, expectedDepth, previousExtent, di, random);
-    return rsCombine(s, fresh, where, di.weights, di.visibility == RS_VISIBILITY_TRACED, random);
+    return rsCombine(s, fresh, where, di.weights, di.visibility == RS_VISIBILITY_TRACED, random).reservoir;
 }
 
 #endif

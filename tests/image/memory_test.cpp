@@ -1,0 +1,139 @@
+// What the SDK allocates, with its own blocks and with a host's provider.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+
+#include "image/host_view.h"
+#include "image/hypothesis.h"
+#include "image/stage.h"
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+constexpr VkExtent2D kExtent{48, 20};
+
+// One allocation a buffer, as a host's allocator might do; refuses what comes after `allowed` buffers.
+class Provider {
+public:
+    restir::MemoryProvider sdk() { return {.user = this, .acquire = acquire, .release = release}; }
+
+    uint32_t allowed = ~0u;
+    uint32_t acquired = 0;
+    VkDeviceSize bytes = 0;   // of live buffers
+    std::set<void*> live;
+
+private:
+    static VkResult acquire(void* user, const restir::BufferRequest& request, restir::BufferGrant& grant) {
+        auto& self = *static_cast<Provider*>(user);
+        EXPECT_GT(request.size, 0u);
+        EXPECT_STRNE(request.name, "");
+        if (self.acquired == self.allowed) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+        ++self.acquired;
+        const samples::MemoryKind kind = request.use == restir::MemoryUse::DeviceOnly  ? samples::MemoryKind::Gpu
+                                         : request.use == restir::MemoryUse::HostWrite ? samples::MemoryKind::Upload
+                                                                                       : samples::MemoryKind::Readback;
+        auto buffer = std::make_unique<samples::Buffer>(
+            device(), samples::BufferDesc{.size = request.size, .usage = request.usage, .memory = kind});
+        grant = {.buffer = buffer->handle(), .mapped = buffer->mapped(), .token = buffer.get()};
+        self.bytes += request.size;
+        self.live.insert(buffer.release());
+        return VK_SUCCESS;
+    }
+    static void release(void* user, const restir::BufferGrant& grant) {
+        auto& self = *static_cast<Provider*>(user);
+        ASSERT_EQ(self.live.erase(grant.token), 1u);
+        auto* buffer = static_cast<samples::Buffer*>(grant.token);
+        EXPECT_EQ(grant.buffer, buffer->handle());
+        delete buffer;
+    }
+};
+
+class Memory : public testing::Test {
+protected:
+    Memory() {
+        samples::SceneData data = planeScene();
+        addQuad(data, lamp({0, 1, 0}, 0.5f), {.emission = {1, 1, 1}});
+        view = data.views[0];
+        scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
+    }
+    std::unique_ptr<HostView> host(const restir::MemoryProvider& memory = {}) const {
+        return std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent, .memory = memory});
+    }
+
+    samples::View view;
+    std::unique_ptr<samples::GpuScene> scene;
+};
+
+TEST_F(Memory, ProviderSeesWhatWasAnnounced) {
+    Provider provider;
+    {
+        restir::ContextDesc desc = HostView::contextDesc();
+        desc.device.memory = provider.sdk();
+        auto context = restir::Context::create(desc);
+        ASSERT_TRUE(context);
+        EXPECT_EQ(provider.acquired, 0u);
+        const auto session = restir::Session::create(*context, {.maxExtent = kExtent});
+        ASSERT_TRUE(session);
+        EXPECT_EQ(provider.bytes, restir::Session::memoryNeeded(*context, {.maxExtent = kExtent}));
+        const VkDeviceSize before = provider.bytes;
+        const auto table = restir::LightTable::create(*context, {.maxLights = 1000});
+        ASSERT_TRUE(table);
+        EXPECT_EQ(provider.bytes - before, restir::LightTable::memoryNeeded(*context, {.maxLights = 1000}));
+    }
+    EXPECT_TRUE(provider.live.empty());
+}
+
+TEST_F(Memory, ProviderGivesTheSamePicture) {
+    Provider provider;
+    const samples::FloatImage expected = host()->frames(0, 3, unbiased());
+    {
+        const std::unique_ptr<HostView> provided = host(provider.sdk());
+        EXPECT_EQ(provided->frames(0, 3, unbiased()).rgb, expected.rgb);
+        EXPECT_FALSE(provider.live.empty());
+    }
+    EXPECT_TRUE(provider.live.empty());
+}
+
+TEST_F(Memory, FailureAtAnyBufferLeavesNothing) {
+    Provider provider;
+    restir::ContextDesc desc = HostView::contextDesc();
+    desc.device.memory = provider.sdk();
+    auto context = restir::Context::create(desc);
+    ASSERT_TRUE(context);
+    uint32_t failures = 0;
+    for (provider.allowed = 0;; ++provider.allowed, ++failures) {
+        provider.acquired = 0;
+        const auto session = restir::Session::create(*context, {.maxExtent = kExtent});
+        if (session) break;
+        EXPECT_EQ(session.error().status, restir::Status::OutOfDeviceMemory);
+        EXPECT_EQ(session.error().vk, VK_ERROR_OUT_OF_DEVICE_MEMORY);
+        EXPECT_TRUE(provider.live.empty()) << provider.allowed;
+        ASSERT_LT(failures, 100u);
+    }
+    EXPECT_GT(failures, 8u);
+    EXPECT_TRUE(provider.live.empty());
+    provider.acquired = provider.allowed = 0;
+    EXPECT_EQ(restir::LightTable::create(*context, {.maxLights = 8}).error().status,
+              restir::Status::OutOfDeviceMemory);
+    EXPECT_TRUE(provider.live.empty());
+}
+
+// 32 for reservoirs, 56 for surfaces: two frames of 24 bytes and 8 of this frame.
+TEST_F(Memory, EightyEightBytesAPixel) {
+    const std::unique_ptr<HostView> view88 = host();
+    VkDeviceSize perPixel = 0, all = 0;
+    for (const restir::BufferInfo& buffer : view88->session().memory()) {
+        if (buffer.perPixel) perPixel += buffer.bytes;
+        all += buffer.bytes;
+    }
+    EXPECT_EQ(perPixel, VkDeviceSize{88} * kExtent.width * kExtent.height);
+    // What its blocks take is what it asks for, but for the gaps between buffers.
+    const VkDeviceSize needed = restir::Session::memoryNeeded(view88->context(), {.maxExtent = kExtent});
+    EXPECT_GE(needed, all);
+    EXPECT_LE(needed, all + VkDeviceSize{256} * view88->session().memory().size());
+}
+
+}   // namespace
+}   // namespace tests

@@ -1,0 +1,182 @@
+// Bad input is refused by name, and leaves no trace.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "image/host_view.h"
+#include "image/hypothesis.h"
+#include "image/stage.h"
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+using restir::FrameInput;
+using restir::Settings;
+using restir::Status;
+
+constexpr VkExtent2D kExtent{16, 16};
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+class Refusal : public testing::Test {
+protected:
+    Refusal() {
+        samples::SceneData data = planeScene();
+        addQuad(data, lamp({0, 1, 0}, 0.5f), {.emission = {1, 1, 1}});
+        const samples::View view = data.views[0];
+        scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
+        host = std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent});
+    }
+    // The status is InvalidArgument and the message has `field` in it.
+    static void expectRefusal(Status status, const char* field) {
+        EXPECT_EQ(status, Status::InvalidArgument);
+        EXPECT_NE(device().sdkError().find(field), std::string::npos) << field << ": " << device().sdkError();
+    }
+    Status record(const FrameInput& input, const Settings& settings) {
+        Status status = Status::Ok;
+        device().submitAndWait([&](VkCommandBuffer cmd) { status = host->session().record(cmd, input, settings); });
+        return status;
+    }
+
+    std::unique_ptr<samples::GpuScene> scene;
+    std::unique_ptr<HostView> host;
+};
+
+struct BadFrame {
+    const char* field;
+    std::function<void(FrameInput&, Settings&)> spoil;
+};
+
+const BadFrame kBadFrames[] = {
+    {"frameSlot", [](FrameInput& f, Settings&) { f.frameSlot = HostView::kSlots; }},
+    {"extent", [](FrameInput& f, Settings&) { f.extent.width = 0; }},
+    {"extent", [](FrameInput& f, Settings&) { f.extent.height = 0; }},
+    {"extent", [](FrameInput& f, Settings&) { f.extent.width = kExtent.width + 1; }},
+    {"extent", [](FrameInput& f, Settings&) { f.extent.height = ~0u; }},
+    {"lights", [](FrameInput& f, Settings&) { f.lights = nullptr; }},
+    {"tlas", [](FrameInput& f, Settings&) { f.tlas = VK_NULL_HANDLE; }},
+    {"scene", [](FrameInput& f, Settings&) { f.scene = nullptr; }},
+    {"depth", [](FrameInput& f, Settings&) { f.gbuffer.depth = {}; }},
+    {"normal", [](FrameInput& f, Settings&) { f.gbuffer.normal = {}; }},
+    {"baseColor", [](FrameInput& f, Settings&) { f.gbuffer.baseColor = {}; }},
+    {"normals", [](FrameInput& f, Settings&) { f.gbuffer.normals = restir::NormalEncoding(4); }},
+    {"depthKind", [](FrameInput& f, Settings&) { f.gbuffer.depthKind = restir::DepthKind(2); }},
+    {"motionScale", [](FrameInput& f, Settings&) { f.gbuffer.motionScale[1] = kNan; }},
+    {"gbuffer.origin", [](FrameInput& f, Settings&) { f.gbuffer.origin.x = -1; }},
+    {"output.origin", [](FrameInput& f, Settings&) { f.output.origin.y = -1; }},
+    {"radiance", [](FrameInput& f, Settings&) { f.output.radiance = VK_NULL_HANDLE; }},
+    {"exposure", [](FrameInput& f, Settings&) { f.exposure = kNan; }},
+    {"exposure", [](FrameInput& f, Settings&) { f.exposure = -1; }},
+    {"viewFromWorld", [](FrameInput& f, Settings&) { f.camera.viewFromWorld.m[12] = kNan; }},
+    {"viewFromWorld", [](FrameInput& f, Settings&) { f.camera.viewFromWorld = {.m = {0}}; }},
+    {"viewFromWorld", [](FrameInput& f, Settings&) { f.camera.viewFromWorld.m[3] = 1; }},
+    {"clipFromView", [](FrameInput& f, Settings&) { f.camera.clipFromView.m[0] = kNan; }},
+    {"clipFromView", [](FrameInput& f, Settings&) { f.camera.clipFromView.m[5] = 0; }},
+    {"clipFromView", [](FrameInput& f, Settings&) { f.camera.clipFromView.m[11] = -2; }},
+    {"jitter", [](FrameInput& f, Settings&) { f.camera.jitter[0] = std::numeric_limits<float>::infinity(); }},
+    {"mode", [](FrameInput&, Settings& s) { s.di.mode = restir::DirectMode(2); }},
+    {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 0; }},
+    {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 65537; }},
+    {"bsdfCandidates", [](FrameInput&, Settings& s) { s.di.bsdfCandidates = 9; }},
+    {"maxHistory", [](FrameInput&, Settings& s) { s.di.maxHistory = 1001; }},
+    {"spatialPasses", [](FrameInput&, Settings& s) { s.di.spatialPasses = 9; }},
+    {"neighbours", [](FrameInput&, Settings& s) { s.di.neighbours = 0; }},
+    {"neighbours", [](FrameInput&, Settings& s) { s.di.neighbours = 17; }},
+    {"radius", [](FrameInput&, Settings& s) { s.di.radius = 0; }},
+    {"radius", [](FrameInput&, Settings& s) { s.di.radius = kNan; }},
+    {"normalThreshold", [](FrameInput&, Settings& s) { s.di.normalThreshold = 1.1f; }},
+    {"depthThreshold", [](FrameInput&, Settings& s) { s.di.depthThreshold = kNan; }},
+    {"weights", [](FrameInput&, Settings& s) { s.di.weights = restir::Weights(4); }},
+    {"visibility", [](FrameInput&, Settings& s) { s.di.visibility = restir::VisibilityReuse(3); }},
+};
+
+TEST_F(Refusal, FramesAndSettings) {
+    host->frames(0, 2, unbiased());
+    const samples::FloatImage expected = host->frames(2, 1, unbiased());
+    host->newSession();
+    host->frames(0, 2, unbiased());
+    for (const BadFrame& bad : kBadFrames) {
+        SCOPED_TRACE(bad.field);
+        FrameInput input = host->input(2);
+        Settings settings = unbiased();
+        bad.spoil(input, settings);
+        expectRefusal(record(input, settings), bad.field);
+        const auto planned = host->session().plan(input, settings);
+        ASSERT_FALSE(planned);
+        expectRefusal(planned.error().status, bad.field);
+    }
+    EXPECT_EQ(host->frames(2, 1, unbiased()).rgb, expected.rgb);   // as if none of them had been
+}
+
+TEST_F(Refusal, NullCommandBuffers) {
+    expectRefusal(host->session().record(VK_NULL_HANDLE, host->input(0), unbiased()), "cmd");
+    expectRefusal(host->lights().record(VK_NULL_HANDLE, 0), "cmd");
+}
+
+TEST_F(Refusal, UploadsThatAreNotRecorded) {
+    ASSERT_EQ(host->lights().upload(1, scene->lights()), Status::Ok);
+    expectRefusal(record(host->input(0), unbiased()), "lights");
+    device().submitAndWait([&](VkCommandBuffer cmd) {
+        expectRefusal(host->lights().record(cmd, 2), "frameSlot");   // the upload went to 1
+        EXPECT_EQ(host->lights().record(cmd, 1), Status::Ok);
+    });
+    EXPECT_EQ(record(host->input(0), unbiased()), Status::Ok);
+}
+
+TEST_F(Refusal, Lights) {
+    expectRefusal(host->lights().upload(HostView::kSlots, {}), "frameSlot");
+    restir::Light light{.id = scene->maxLights()};
+    expectRefusal(host->lights().upload(0, std::span(&light, 1)), "id");
+    light.id = 0;
+    light.emission[1] = kNan;
+    expectRefusal(host->lights().upload(0, std::span(&light, 1)), "emission");
+    // The lights of before are still there, and nothing waits to be recorded.
+    EXPECT_GT(largest(host->frames(0, 1, unbiased())), 0);
+}
+
+TEST_F(Refusal, Sessions) {
+    for (VkExtent2D extent : {VkExtent2D{0, 1}, VkExtent2D{1, 0}, VkExtent2D{1u << 20, 1u << 20}}) {
+        const auto session = restir::Session::create(host->context(), {.maxExtent = extent});
+        ASSERT_FALSE(session);
+        expectRefusal(session.error().status, "maxExtent");
+    }
+    const auto table = restir::LightTable::create(host->context(), {.maxLights = (1u << 20) + 1});
+    ASSERT_FALSE(table);
+    expectRefusal(table.error().status, "maxLights");
+}
+
+TEST_F(Refusal, Contexts) {
+    const std::pair<const char*, std::function<void(restir::ContextDesc&)>> cases[] = {
+        {"getInstanceProcAddr", [](restir::ContextDesc& d) { d.device.getInstanceProcAddr = nullptr; }},
+        {"instance", [](restir::ContextDesc& d) { d.device.instance = VK_NULL_HANDLE; }},
+        {"physicalDevice", [](restir::ContextDesc& d) { d.device.physicalDevice = VK_NULL_HANDLE; }},
+        {"device", [](restir::ContextDesc& d) { d.device.device = VK_NULL_HANDLE; }},
+        {"framesInFlight", [](restir::ContextDesc& d) { d.framesInFlight = 0; }},
+        {"framesInFlight", [](restir::ContextDesc& d) { d.framesInFlight = 17; }},
+        {"maxTextures", [](restir::ContextDesc& d) { d.maxTextures = 0; }},
+        {"queueFamily", [](restir::ContextDesc& d) { d.queueFamily = 99; }},
+        {"memory", [](restir::ContextDesc& d) { d.device.memory.release = [](void*, const restir::BufferGrant&) {}; }},
+    };
+    for (const auto& [field, spoil] : cases) {
+        SCOPED_TRACE(field);
+        restir::ContextDesc desc = HostView::contextDesc();
+        spoil(desc);
+        const auto context = restir::Context::create(desc);
+        ASSERT_FALSE(context);
+        expectRefusal(context.error().status, field);
+    }
+}
+
+TEST_F(Refusal, ShadersOfAnotherVersion) {
+    restir::ContextDesc desc = HostView::contextDesc();
+    restir::ShaderPack pack{.shaderAbi = RESTIR_SHADER_ABI + 1};
+    desc.shaders = &pack;
+    EXPECT_EQ(restir::Context::create(desc).error().status, Status::ShaderMismatch);
+    pack.shaderAbi = RESTIR_SHADER_ABI;   // but without a single pass
+    EXPECT_EQ(restir::Context::create(desc).error().status, Status::ShaderMismatch);
+    EXPECT_NE(device().sdkError().find("surface.pack"), std::string::npos) << device().sdkError();
+}
+
+}   // namespace
+}   // namespace tests

@@ -1,0 +1,10 @@
+# cmake -DREADME=<file> -DEXAMPLE=<file> -P check_readme.cmake: the README shows the example that is compiled.
+file(READ ${README} readme)
+file(READ ${EXAMPLE} example)
+if(NOT example MATCHES "// BEGIN EXAMPLE\n(.*)// END EXAMPLE")
+    message(FATAL_ERROR "${EXAMPLE} marks no example")
+endif()
+string(FIND "${readme}" "\n```cpp\n${CMAKE_MATCH_1}```\n" at)
+if(at EQUAL -1)
+    message(FATAL_ERROR "${README} does not show the example of ${EXAMPLE}")
+endif()

@@ -46,7 +46,12 @@ public:
         assert(*this);
         return std::move(*std::get_if<0>(&state_));
     }
+    const T& operator*() const& noexcept {
+        assert(*this);
+        return *std::get_if<0>(&state_);
+    }
     T* operator->() noexcept { return &**this; }
+    const T* operator->() const noexcept { return &**this; }
 
 private:
     std::variant<T, Error> state_;

@@ -82,14 +82,30 @@ TEST(Plan, OrderOfStages) {
         return names(makePlan({kExtent, history, 0}, s));
     };
     EXPECT_EQ(order(true, {}),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial"}));
+    EXPECT_EQ(order(false, {}), (Names{"surface.pack", "di.candidates", "di.spatial"}));
+    EXPECT_EQ(order(true, {.di = {.averageShading = false}}),
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
-    EXPECT_EQ(order(false, {}), (Names{"surface.pack", "di.candidates", "di.spatial", "di.shade"}));
+    EXPECT_EQ(order(true, {.di = {.weights = Weights::Balance}}),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
     EXPECT_EQ(order(true, settingsOf(false, 0, VisibilityReuse::None)),
               (Names{"surface.pack", "di.candidates", "di.shade"}));
     EXPECT_EQ(
         order(true, settingsOf(true, 2, VisibilityReuse::Traced)),
-        (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial", "di.shade"}));
+        (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial"}));
     EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent}}), (Names{"surface.pack", "di.next_event"}));
+}
+
+// Once, and by the last pass.
+TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
+    for (const Plan& plan : allPlans())
+        for (const PassInfo& pass : plan.passes) {
+            const bool last = &pass == &plan.passes.back();
+            EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
+            if (std::string(pass.name) == "di.spatial") {
+                EXPECT_EQ(pass.shades, last);
+            }
+        }
 }
 
 TEST(Plan, GroupsCoverTheExtent) {

@@ -69,11 +69,11 @@ restir::Settings offCached() {
     return settings;
 }
 
-TEST(NumericCheck, Cornell) {
+TEST(LongNumericCheck, Cornell) {
     if (sharedScene(kCornell.scene).empty()) GTEST_SKIP() << "no ../shared/scenes";
     Check check(kCornell);
-    check.expectAgreement(check.reference(8, 8, 4));
-    check.expectAgreement(check.di("di pairwise traced", 8, 12, unbiased()));
+    check.expectAgreement(check.reference(8, 32, 16));
+    check.expectAgreement(check.di("di pairwise traced", 8, 128, unbiased()));
     const Agreement off = check.di("di off cached (must fail)", 8, 12, offCached());
     for (size_t c = 0; c < 3; ++c) EXPECT_GE(-off.channelRatio[c], 5 * off.channelError[c]) << "channel " << c;
     EXPECT_EQ(device().validationMessages(), 0u);

@@ -22,7 +22,7 @@ struct TestSurface {
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0, scalar) readonly buffer Parameters {
     RsDiConstants di;
-    uint seed, neighbours, previous, planted, lightCount, nextEvent;
+    uint seed, neighbours, previous, planted, lightCount, nextEvent, averaged;
     TestSurface surfaces[SURFACES];   // 0 is the canonical
     vec3 centres[8];                  // of the lights, however they move
 };
@@ -122,8 +122,10 @@ void main() {
     }
     inPreviousFrame = false;
     RsSurface s = surfaceOf(0u);
-    RsReservoir r = rsCombine(s, reservoirs[0], where, di.weights, di.visibility == RS_VISIBILITY_TRACED, random);
+    RsCombined combined =
+        rsCombine(s, reservoirs[0], where, di.weights, di.visibility == RS_VISIBILITY_TRACED, random);
+    RsReservoir r = combined.reservoir;
     bool occluded;
-    vec3 radiance = rsDiShade(s, r, di.visibility, occluded);
+    vec3 radiance = averaged != 0u ? combined.radiance : rsDiShade(s, r, di.visibility, occluded);
     results[i] = vec4(radiance, rejected == 0u ? float(rsConfidence(r)) : -1.0);
 }

@@ -79,6 +79,7 @@ FILL fillPass(RS_INOUT(RsPass) s, int b) {
     s.source = U(b);
     s.target = U(b + 1);
     s.index = U(b + 2);
+    s.shades = U(b + 3);
 }
 
 FILL fillCounters(RS_INOUT(RsCounters) s, int b) {

@@ -37,7 +37,7 @@ public:
     static Result<Context> create(const ContextDesc& desc) noexcept;
     Context(Context&&) noexcept;
     Context& operator=(Context&&) noexcept;
-    ~Context();   // everything made from it is gone already, and the GPU is done with it
+    ~Context();   // everything made from it is gone already (before an assignment, too), and the GPU is done with it
 
     struct Impl;
 

@@ -52,7 +52,7 @@ enum class DepthKind : uint8_t {
 };
 
 // The standard G-buffer: one sample per pixel, pixel centres at + 0.5, row 0 on top. Fetched without filtering in
-// COMPUTE_SHADER. A host that stores something else overrides rsBridgeSurface().
+// COMPUTE_SHADER. A host that stores something else overrides rsBridgeSurface(); with ContextDesc::bridgeSetLayout no image is required.
 struct GBuffer {
     Image depth = {};             // required; x
     Image normal = {};            // required; world space shading normal, in `normals` encoding

@@ -49,7 +49,7 @@ struct LightTableDesc {
 };
 
 // The lights of a scene and the table to draw them from, shared by any number of Sessions. Externally
-// synchronised. Frames that read it are submitted in recording order on ContextDesc::queueFamily.
+// synchronised. Frames that read it are submitted in recording order on one queue of ContextDesc::queueFamily.
 class LightTable {
 public:
     static Result<LightTable> create(const Context& context, const LightTableDesc& desc) noexcept;

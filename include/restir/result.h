@@ -12,7 +12,7 @@ namespace restir {
 enum class Status : uint8_t {
     Ok,
     InvalidArgument,   // the message sink names the field and the value
-    MissingFeature,    // the device was made without something deviceNeeds() lists
+    MissingFeature,    // the device, or its loader, lacks something deviceNeeds() lists
     ShaderMismatch,    // a ShaderPack built against another RESTIR_SHADER_ABI, or without a pass
     OutOfHostMemory,
     OutOfDeviceMemory,

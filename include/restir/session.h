@@ -76,7 +76,8 @@ struct Counters {
 };
 
 // One view's reservoirs and history. Use from one thread at a time. All frames of a Session and its LightTable are
-// submitted in recording order on one queue family. Cheap beside a Context: a resize beyond maxExtent means
+// submitted in recording order on one queue of ContextDesc::queueFamily (or on several that semaphores order).
+// Cheap beside a Context: a resize beyond maxExtent means
 // making a new one.
 class Session {
 public:
@@ -99,7 +100,7 @@ public:
     // GPU time of the passes last recorded in `frameSlot`; call once the GPU is done with them. Empty where the
     // queue has no timestamps. The list lives until the next call.
     std::span<const PassTiming> timings(uint32_t frameSlot) noexcept;
-    // Sums of that frame, if Settings::counters was on.
+    // Sums of that frame; all 0 where Settings::counters was off.
     Counters counters(uint32_t frameSlot) const noexcept;
 
     std::span<const BufferInfo> memory() const noexcept;   // what create() acquired

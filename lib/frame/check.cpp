@@ -62,11 +62,11 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
     return Status::Ok;
 }
 
-Status checkImages(const MessageSink& sink, const FrameInput& frame) noexcept {
+Status checkImages(const MessageSink& sink, const FrameInput& frame, bool standardBridge) noexcept {
     const GBuffer& g = frame.gbuffer;
-    if (!g.depth.view) return refuse(sink, "restir: FrameInput::gbuffer.depth is null");
-    if (!g.normal.view) return refuse(sink, "restir: FrameInput::gbuffer.normal is null");
-    if (!g.baseColor.view) return refuse(sink, "restir: FrameInput::gbuffer.baseColor is null");
+    if (standardBridge && !g.depth.view) return refuse(sink, "restir: FrameInput::gbuffer.depth is null");
+    if (standardBridge && !g.normal.view) return refuse(sink, "restir: FrameInput::gbuffer.normal is null");
+    if (standardBridge && !g.baseColor.view) return refuse(sink, "restir: FrameInput::gbuffer.baseColor is null");
     if (g.origin.x < 0 || g.origin.y < 0)
         return refuse(sink, "restir: FrameInput::gbuffer.origin is (%d, %d)", g.origin.x, g.origin.y);
     if (!frame.output.radiance) return refuse(sink, "restir: FrameInput::output.radiance is null");
@@ -114,7 +114,7 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
     if (Status status = checkObjects(s, frame); status != Status::Ok) return status;
     if (!std::isfinite(frame.exposure) || frame.exposure < 0)
         return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
-    if (Status status = checkImages(sink, frame); status != Status::Ok) return status;
+    if (Status status = checkImages(sink, frame, s.context->ownsSceneLayout); status != Status::Ok) return status;
     if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
     return checkSettings(sink, settings.di);
 }

@@ -1,6 +1,7 @@
 // Session::record: the plan, put into the host's command buffer.
 #include <cstring>
 
+#include <device/barrier.h>
 #include <device/internals.h>
 #include <frame/check.h>
 #include <frame/constants.h>
@@ -23,14 +24,7 @@ public:
         : s_(session), f_(session.device().functions), cmd_(cmd), slot_(slot) {}
 
     void barrier(VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to, VkAccessFlags2 access) noexcept {
-        const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                      .srcStageMask = from,
-                                      .srcAccessMask = wrote,
-                                      .dstStageMask = to,
-                                      .dstAccessMask = access};
-        const VkDependencyInfo info{
-            .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &memory};
-        f_.vkCmdPipelineBarrier2(cmd_, &info);
+        memoryBarrier(f_, cmd_, {from, wrote}, {to, access});
     }
 
     void clearCounters() noexcept {
@@ -123,6 +117,7 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
     recordPasses(s, cmd, frame, settings.counters);
 
     std::vector<const char*>& timed = s.timedPasses[frame.frameSlot];
+    s.counted[frame.frameSlot] = settings.counters;
     timed.clear();
     for (const PassInfo& pass : s.plan.passes) timed.push_back(pass.name);
     s.history = {.valid = settings.di.mode == DirectMode::Restir,

@@ -55,6 +55,7 @@ VkResult makeSets(Session::Impl& s) noexcept {
 VkResult makeQueries(Session::Impl& s) noexcept {
     const Context::Impl& c = *s.context;
     s.timedPasses.resize(c.framesInFlight);
+    s.counted.resize(c.framesInFlight);
     if (c.device.timestampBits == 0) return VK_SUCCESS;
     const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                                      .queryType = VK_QUERY_TYPE_TIMESTAMP,
@@ -110,8 +111,6 @@ Result<Session> Session::create(const Context& context, const SessionDesc& desc)
     auto buffers = Buffers::create(c.device, requests);
     if (!buffers) return buffers.error();
     impl->buffers = std::move(*buffers);
-    for (uint32_t slot = 0; slot < c.framesInFlight; ++slot)
-        *impl->buffers.mapped<gpu::RsCounters>(impl->readbackOf(slot)) = {};
     for (size_t i = 0; i < requests.size(); ++i)
         impl->report.push_back({requests[i].name, requests[i].size, i < size_t(SessionBuffer::Counters)});
     if (VkResult vk = makeSets(*impl); vk != VK_SUCCESS)
@@ -156,7 +155,7 @@ std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {
 }
 
 Counters Session::counters(uint32_t frameSlot) const noexcept {
-    if (frameSlot >= impl_->sets.size()) return {};
+    if (frameSlot >= impl_->counted.size() || !impl_->counted[frameSlot]) return {};
     const auto* c = impl_->buffers.mapped<const gpu::RsCounters>(impl_->readbackOf(frameSlot));
     return {.rays = c->rays, .rejectedWeights = c->rejectedWeights, .loggedRays = std::min(c->loggedRays, impl_->desc.rayLogCapacity)};
 }

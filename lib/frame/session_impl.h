@@ -46,6 +46,7 @@ struct Session::Impl {
     std::vector<VkDescriptorSet> sets;   // by frame slot
     VkQueryPool queries = VK_NULL_HANDLE;
     std::vector<std::vector<const char*>> timedPasses;   // by frame slot
+    std::vector<uint8_t> counted;   // by frame slot: its last frame had Settings::counters
     std::vector<PassTiming> timings;
     History history;
     Plan plan;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include <device/barrier.h>
 #include <device/internals.h>
 #include <frame/context_impl.h>
 
@@ -25,19 +26,6 @@ std::vector<BufferRequest> requestsOf(uint32_t framesInFlight, uint32_t maxLight
     for (uint32_t i = 0; i < framesInFlight; ++i)
         requests.push_back({lights + alias, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryUse::HostWrite, "light staging"});
     return requests;
-}
-
-// Copies wait for the frames that still read these buffers, readers wait for the copies.
-void barrier(const Functions& f, VkCommandBuffer cmd, VkPipelineStageFlags2 from, VkAccessFlags2 wrote,
-             VkPipelineStageFlags2 to, VkAccessFlags2 access) noexcept {
-    const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                  .srcStageMask = from,
-                                  .srcAccessMask = wrote,
-                                  .dstStageMask = to,
-                                  .dstAccessMask = access};
-    const VkDependencyInfo info{
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &memory};
-    f.vkCmdPipelineBarrier2(cmd, &info);
 }
 
 }   // namespace
@@ -108,7 +96,8 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
 
     const Functions& f = t.device->functions;
     const VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, copy = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier(f, cmd, compute | copy, VK_ACCESS_2_TRANSFER_WRITE_BIT, copy, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    // Copies wait for the frames that still read these buffers, readers wait for the copies.
+    memoryBarrier(f, cmd, {compute | copy, VK_ACCESS_2_TRANSFER_WRITE_BIT}, {copy, VK_ACCESS_2_TRANSFER_WRITE_BIT});
     const VkBuffer staging = t.buffers.buffer(kStaging + frameSlot);
     if (t.count > 0) {
         const VkBufferCopy lights{.size = t.packed.lights.size() * kLightBytes};
@@ -116,7 +105,7 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
         const VkBufferCopy alias{.srcOffset = lights.size, .size = t.packed.alias.size() * sizeof(gpu::RsAliasEntry)};
         f.vkCmdCopyBuffer(cmd, staging, t.alias(), 1, &alias);
     }
-    barrier(f, cmd, copy, VK_ACCESS_2_TRANSFER_WRITE_BIT, compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
+    memoryBarrier(f, cmd, {copy, VK_ACCESS_2_TRANSFER_WRITE_BIT}, {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
     return Status::Ok;
 }
 

@@ -68,13 +68,16 @@ RsPackedLight rsUnpackLight(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 e) {
 RsPackedLight rsLoadLight(uint id) {
     if (id >= rsFrame.lightCount) return rsUnpackLight(uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u));
     uint i = id * RS_LIGHT_STRIDE;
-    return rsUnpackLight(rsLights[i], rsLights[i + 1u], rsLights[i + 2u], rsLights[i + 3u], rsLights[i + 4u]);
+    uvec4 first = rsLights[i];
+    return rsUnpackLight(first, rsLights[i + 1u], rsLights[i + 2u], rsLights[i + 3u],
+                         rsIsTextured(first.w) ? rsLights[i + 4u] : uvec4(0u));
 }
 RsPackedLight rsLoadPreviousLight(uint id) {
     if (id >= rsFrame.previousLightCount) return rsUnpackLight(uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u));
     uint i = id * RS_LIGHT_STRIDE;
-    return rsUnpackLight(rsPreviousLights[i], rsPreviousLights[i + 1u], rsPreviousLights[i + 2u],
-                         rsPreviousLights[i + 3u], rsPreviousLights[i + 4u]);
+    uvec4 first = rsPreviousLights[i];
+    return rsUnpackLight(first, rsPreviousLights[i + 1u], rsPreviousLights[i + 2u], rsPreviousLights[i + 3u],
+                         rsIsTextured(first.w) ? rsPreviousLights[i + 4u] : uvec4(0u));
 }
 RsAliasEntry rsLoadAlias(uint column) { return rsAlias[column]; }
 

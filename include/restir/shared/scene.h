@@ -8,7 +8,7 @@ RS_SHARED_BEGIN
 // One record per (instance, geometry). The record of a hit is instanceCustomIndex + geometryIndex.
 struct RsInstance {
     RsAddress positions;   // float x 3 per vertex, object space, tightly packed
-    RsAddress indices;     // uint32 x 3 per triangle, into the four vertex streams
+    RsAddress indices;     // uint32 x 3 per triangle, into the vertex streams
     RsAddress normals;     // float x 3 per vertex, object space; 0: geometric normals
     RsAddress uvs;         // float x 2 per vertex; 0: (0, 0)
     vec4 worldFromObject[3];   // rows of the affine transform, as in VkTransformMatrixKHR
@@ -38,7 +38,7 @@ RS_SHARED_END
 #define RS_NO_LIGHT 0xffffffffu
 #define RS_NO_TEXTURE 0xffffffffu
 
-#define RS_MATERIAL_DOUBLE_SIDED 1u   // emits from both sides; shading is two-sided everywhere
+#define RS_MATERIAL_DOUBLE_SIDED 1u   // emits from both sides (Light::twoSided says it to the tables); shading is two-sided everywhere
 #define RS_MATERIAL_ALPHA_MASK 2u     // rays pass where opacity < alphaCutoff
 
 #endif

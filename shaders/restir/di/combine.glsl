@@ -67,32 +67,29 @@ struct RsCombined {
     vec3 radiance;   // sum m_i f(Y_i) V W_i; without meaning for Basic and Balance
 };
 
-// V of a sample from a surface, where weights ask for it.
-bool rsVisibleFor(bool traced, RsSurface s, RsDirect direct) { return !traced || rsUnoccluded(s, direct.incident); }
+// Sums of a combination while it runs.
+struct RsCombination {
+    RsSelection selection;
+    vec3 radiance;
+    float canonicalMis;    // Pairwise: m_c before the defensive part
+    float normalisation;   // Basic, Balance: at the selected sample
+};
 
-// Every neighbour's own sample, shifted here.
-void rsSelectNeighbours(inout RsSelection selection, inout vec3 radiance, RsSurface s, RsNeighbourhood where,
-                        float canonicalConfidence, uint weights, bool traced, inout RsRandom random) {
-    for (uint i = 0u; i < where.count; ++i) {
-        if ((where.accepted & (1u << i)) == 0u) continue;
-        RsNeighbour n = rsLoadNeighbour(where, i);
-        float coin = rsNext(random);
-        if (!rsHasSample(n.reservoir)) continue;
-        RsDirect here = rsDirect(s, rsLoadLight(n.reservoir.light), n.reservoir.uv);
-        if (here.target <= 0.0 || !rsVisibleFor(traced, s, here)) continue;
-        bool asksThere = weights == RS_WEIGHTS_BALANCE || weights == RS_WEIGHTS_PAIRWISE;
-        float there = asksThere ? rsDirect(n.surface, rsLightFor(n, n.reservoir.light), n.reservoir.uv).target : 1.0;
-        float mis = float(rsConfidence(n.reservoir));
-        if (weights == RS_WEIGHTS_PAIRWISE) {
-            float S = where.confidence;
-            float total = canonicalConfidence * here.target + S * there;
-            mis *= S / (S + canonicalConfidence) * there / total;
-        }
-        radiance += mis * n.reservoir.ucw * here.integrand;
-        rsSelect(selection, n.reservoir, mis * here.target * n.reservoir.ucw, here.target, there, int(i), coin);
-    }
+// Neighbour `i`'s own sample, shifted here and visible: `here` is f and p^_c.
+void rsTakeSample(inout RsCombination sums, RsNeighbour n, RsDirect here, int i, float canonicalConfidence, float S,
+                  uint weights, float coin) {
+    bool asksThere = weights == RS_WEIGHTS_BALANCE || weights == RS_WEIGHTS_PAIRWISE;
+    float there = asksThere ? rsDirect(n.surface, rsLightFor(n, n.reservoir.light), n.reservoir.uv).target : 1.0;
+    float mis = float(rsConfidence(n.reservoir));
+    if (weights == RS_WEIGHTS_PAIRWISE)
+        mis *= S / (S + canonicalConfidence) * there / (canonicalConfidence * here.target + S * there);
+    sums.radiance += mis * n.reservoir.ucw * here.integrand;
+    rsSelect(sums.selection, n.reservoir, mis * here.target * n.reservoir.ucw, here.target, there, i, coin);
 }
 
+// Each neighbour is asked twice. First for its sample. Then how probable one sample is in its domain: Pairwise asks for
+// the canonical's, to weigh it; Basic and Balance for the selected one, to normalise it. A pixel skips ahead to its next
+// question that has an answer, so that pixels traced together wait for rays, not for one another's neighbours.
 RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, uint weights, bool traced,
                      inout RsRandom random) {
     float cc = float(rsConfidence(canonical)), S = where.confidence;
@@ -102,46 +99,75 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     if (rsHasSample(canonical)) own = rsDirect(s, rsLoadLight(canonical.light), canonical.uv);
     if (where.accepted == 0u || S <= 0.0) return RsCombined(canonical, own.integrand * canonical.ucw);
 
-    bool pairwise = weights == RS_WEIGHTS_PAIRWISE;
-    RsSelection selection = RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1);
-    vec3 radiance = vec3(0.0);
-    rsSelectNeighbours(selection, radiance, s, where, cc, weights, traced, random);
-    float coin = rsNext(random);
-    if (!pairwise) rsSelect(selection, canonical, cc * own.target * canonical.ucw, own.target, own.target, -1, coin);
+    bool pairwise = weights == RS_WEIGHTS_PAIRWISE, balance = weights == RS_WEIGHTS_BALANCE;
+    RsCombination sums =
+        RsCombination(RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1), vec3(0.0), 0.0, 0.0);
+    RsReservoir asked = canonical;
+    float coin = 0.0;
+    for (uint question = 0u; question < 2u * where.count;) {
+        bool found = false, sampling = true;
+        uint i = 0u;
+        RsNeighbour n;
+        while (!found && question < 2u * where.count) {
+            sampling = question < where.count;
+            i = sampling ? question : question - where.count;
+            if (question == where.count && !pairwise) {
+                float ownWeight = cc * own.target * canonical.ucw;
+                rsSelect(sums.selection, canonical, ownWeight, own.target, own.target, -1, rsNext(random));
+                asked.light = sums.selection.light;
+                asked.uv = sums.selection.uv;
+                asked.ucw = weights == RS_WEIGHTS_OFF ? 0.0 : sums.selection.sum;   // 0: nothing to ask
+                sums.normalisation = balance ? cc * sums.selection.target : cc;
+            }
+            ++question;
+            if ((where.accepted & (1u << i)) == 0u) continue;
+            n = rsLoadNeighbour(where, i);
+            if (sampling) coin = rsNext(random);
+            found = rsHasSample(sampling ? n.reservoir : asked);
+        }
+        if (!found) break;
 
-    // How probable is one sample in each neighbour's domain? Pairwise asks for the canonical's sample, to weigh it;
-    // the others for the selected one, to normalise it.
-    bool asks = pairwise ? own.target > 0.0 : weights != RS_WEIGHTS_OFF && selection.sum > 0.0;
-    uint askedLight = pairwise ? canonical.light : selection.light;
-    uint askedUv = pairwise ? canonical.uv : selection.uv;
-    float canonicalMis = 0.0;
-    float normalisation = weights == RS_WEIGHTS_BALANCE ? cc * selection.target : cc;
-    for (uint i = 0u; asks && i < where.count; ++i) {
-        if ((where.accepted & (1u << i)) == 0u) continue;
-        RsNeighbour n = rsLoadNeighbour(where, i);
+        RsSurface at = s;
+        RsReservoir sampled = n.reservoir;
+        if (!sampling) {
+            at = n.surface;
+            sampled.light = asked.light;
+            sampled.uv = asked.uv;
+        }
+        bool previous = n.previous && !sampling;
+        RsPackedLight light = previous ? rsLoadPreviousLight(sampled.light) : rsLoadLight(sampled.light);
+        RsDirect direct = rsDirect(at, light, sampled.uv);
+        bool itsOwn = !sampling && !pairwise && sums.selection.source == int(i);
+        bool counts = direct.target > 0.0;
+        if (counts && traced && !itsOwn) counts = rsUnoccluded(at, direct.incident);
+
         float c = float(rsConfidence(n.reservoir));
-        RsDirect direct = rsDirect(n.surface, rsLightFor(n, askedLight), askedUv);
-        bool itsOwn = !pairwise && selection.source == int(i);
-        float there = direct.target;
-        if (there > 0.0 && !itsOwn && !rsVisibleFor(traced, n.surface, direct)) there = 0.0;
-        if (pairwise) canonicalMis += c / S * cc * own.target / (cc * own.target + S * there);
-        else normalisation += weights == RS_WEIGHTS_BALANCE ? c * there : there > 0.0 ? c : 0.0;
+        float there = counts ? direct.target : 0.0;
+        if (sampling) {
+            if (counts) rsTakeSample(sums, n, direct, int(i), cc, S, weights, coin);
+        } else if (pairwise) {
+            sums.canonicalMis += c / S * cc * own.target / (cc * own.target + S * there);
+        } else {
+            sums.normalisation += balance ? c * there : counts ? c : 0.0;
+        }
     }
 
     if (pairwise) {
-        float mis = (canonicalMis * S + cc) / (S + cc);
-        radiance += mis * canonical.ucw * own.integrand;
-        rsSelect(selection, canonical, mis * own.target * canonical.ucw, own.target, own.target, -1, coin);
+        float mis = own.target > 0.0 ? (sums.canonicalMis * S + cc) / (S + cc) : 0.0;
+        sums.radiance += mis * canonical.ucw * own.integrand;
+        rsSelect(sums.selection, canonical, mis * own.target * canonical.ucw, own.target, own.target, -1, rsNext(random));
     } else if (weights == RS_WEIGHTS_OFF) {
-        normalisation = cc + S;
-        radiance = (radiance + cc * canonical.ucw * own.integrand) / normalisation;
+        sums.normalisation = cc + S;
+        sums.radiance = (sums.radiance + cc * canonical.ucw * own.integrand) / sums.normalisation;
     }
+    RsSelection selected = sums.selection;
     uint confidence = rsConfidence(canonical) + uint(S);
-    if (!(selection.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), radiance);
-    float ucw = selection.sum / selection.target;
-    if (weights == RS_WEIGHTS_BALANCE) ucw *= selection.sourceTarget / normalisation;
-    else if (!pairwise) ucw /= normalisation;
-    return RsCombined(rsMakeReservoir(selection.light, selection.uv, ucw, confidence, selection.age), radiance);
+    if (!(selected.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), sums.radiance);
+    float ucw = selected.sum / selected.target;
+    if (balance) ucw *= selected.sourceTarget / sums.normalisation;
+    else if (!pairwise) ucw /= sums.normalisation;
+    RsReservoir kept = rsMakeReservoir(selected.light, selected.uv, ucw, confidence, selected.age);
+    return RsCombined(kept, sums.radiance);
 }
 
 #endif

@@ -20,6 +20,7 @@ struct RsIncident {
     float solidAngle;   // d omega per unit of the domain; 0 for lights without extent
 };
 
+bool rsIsTextured(uint kindAndTexture) { return kindAndTexture >> RS_LIGHT_TEXTURE_SHIFT != RS_LIGHT_NO_TEXTURE; }
 uint rsLightKind(RsPackedLight light) { return light.kindAndTexture & RS_LIGHT_KIND_MASK; }
 
 // Uniform on the triangle: the unit square folded over its diagonal, quantised as it will be stored.
@@ -30,8 +31,8 @@ uint rsSampleLightUv(RsPackedLight light, uint bits) {
 }
 
 vec3 rsTriangleRadiance(RsPackedLight light, vec2 uv) {
+    if (!rsIsTextured(light.kindAndTexture)) return light.emission;
     uint index = light.kindAndTexture >> RS_LIGHT_TEXTURE_SHIFT;
-    if (index == RS_LIGHT_NO_TEXTURE) return light.emission;
     vec2 coordinates = light.uv0 + uv.x * (light.uv1 - light.uv0) + uv.y * (light.uv2 - light.uv0);
     return light.emission * rsBridgeTexture(index, coordinates).rgb;
 }

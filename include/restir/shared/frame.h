@@ -63,7 +63,6 @@ struct RsLoggedRay {
 
 RS_SHARED_END
 
-#define RS_FRAME_HISTORY 1u            // the previous frame's surfaces and reservoirs are valid
 #define RS_FRAME_MOTION 2u             // motion image is bound
 #define RS_FRAME_GEOMETRIC_NORMAL 4u
 #define RS_FRAME_MATERIAL 8u

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/di_options.h"
 #include "common/ray_replay.h"
 #include "common/renderer.h"
 
@@ -62,6 +63,12 @@ double frameTime(const samples::RenderStats& stats) {
     return sum;
 }
 
+restir::SessionDesc sessionOf(const Options& options) {
+    restir::SessionDesc desc{.rayLogCapacity = options.width * options.height * 24};
+    samples::declareFor(options.di, desc);
+    return desc;
+}
+
 class Bench {
 public:
     Bench(samples::Device& device, const samples::GpuScene& scene, const samples::View& view, const Options& options)
@@ -69,7 +76,7 @@ public:
           scene_(scene),
           options_(options),
           view_(view),
-          renderer_(device, scene, {options.width, options.height}, options.width * options.height * 24) {}
+          renderer_(device, scene, {options.width, options.height}, sessionOf(options)) {}
 
     void run() {
         cost();
@@ -173,13 +180,15 @@ int main(int argc, char** argv) {
     app.add_option("--seeds", options.seeds)->check(CLI::Range(1, 10000));
     app.add_option("--reference-frames", options.referenceFrames, "averaged into R; 0: cost only")->check(CLI::Range(0, 100000));
     app.add_option("--move", options.move, "degrees a frame");
-    app.add_option("--candidates", options.di.lightCandidates);
-    app.add_option("--bsdf-candidates", options.di.bsdfCandidates);
-    app.add_option("--neighbours", options.di.neighbours);
-    app.add_option("--radius", options.di.radius);
-    app.add_flag("!--no-average", options.di.averageShading, "shade the selected sample only");
-    app.add_option("--max-history", options.di.maxHistory);
-    CLI11_PARSE(app, argc, argv);
+    samples::addDiOptions(app, options.di);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "restir-bench: %s\n", error.what());
+        return 1;
+    }
     try {
         run(options);
     } catch (const std::exception& error) {

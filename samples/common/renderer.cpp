@@ -20,9 +20,14 @@ restir::Scene makeScene(const Device& device, const restir::Context& context, co
     return device.require(restir::Scene::create(context, desc), "restir::Scene");
 }
 
+restir::SessionDesc withExtent(restir::SessionDesc desc, VkExtent2D extent) {
+    desc.maxExtent = extent;
+    return desc;
+}
+
 }   // namespace
 
-Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, uint32_t rayLogCapacity)
+Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, restir::SessionDesc session)
     : device_(device),
       scene_(scene),
       loop_(device, extent),
@@ -31,9 +36,7 @@ Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, uin
       sdkScene_(makeScene(device, context_, scene)),
       lights_(device.require(restir::LightTable::create(context_, {.maxLights = scene.maxLights()}),
                              "restir::LightTable")),
-      session_(device.require(
-          restir::Session::create(context_, {.maxExtent = extent, .rayLogCapacity = rayLogCapacity}),
-          "restir::Session")),
+      session_(device.require(restir::Session::create(context_, withExtent(session, extent)), "restir::Session")),
       lightBytes_(restir::LightTable::memoryNeeded(context_, {.maxLights = scene.maxLights()})) {
     device.check(lights_.upload(0, scene.lights()), "restir::LightTable::upload");
     device.submitAndWait(

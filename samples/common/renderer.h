@@ -27,8 +27,8 @@ struct RenderStats {
 // Renders any number of sequences with any settings; only the constructor makes pipelines.
 class Renderer {
 public:
-    // `rayLogCapacity`: rays of the last frame that session().rayLog() keeps.
-    Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, uint32_t rayLogCapacity = 0);
+    // `session` declares what its settings need (declareFor()); its maxExtent is `extent`.
+    Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, restir::SessionDesc session = {});
 
     // Forgets all history first.
     FloatImage render(const Sequence& sequence, const restir::Settings& settings,

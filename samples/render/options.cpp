@@ -9,6 +9,8 @@
 
 #include <restir/version.h>
 
+#include "common/di_options.h"
+
 namespace render {
 namespace {
 
@@ -46,19 +48,10 @@ std::optional<glm::vec3> parsePoint(const std::string& text, const char* option)
 
 struct Texts {
     std::string size, eye, target, environment, nextEvent;
-    bool noTemporal = false, noSpatial = false;
 };
 
 const std::map<std::string, Mode> kModes = {
     {"reference", Mode::Reference}, {"nee", Mode::NextEvent}, {"ris", Mode::Ris}, {"di", Mode::Di}};
-const std::map<std::string, restir::Weights> kWeights = {{"off", restir::Weights::Off},
-                                                         {"basic", restir::Weights::Basic},
-                                                         {"balance", restir::Weights::Balance},
-                                                         {"pairwise", restir::Weights::Pairwise}};
-const std::map<std::string, restir::VisibilityReuse> kVisibility = {
-    {"none", restir::VisibilityReuse::None},
-    {"cached", restir::VisibilityReuse::Cached},
-    {"traced", restir::VisibilityReuse::Traced}};
 
 // An option whose value is one of a map's keys.
 template <class T>
@@ -117,15 +110,7 @@ void addEstimator(CLI::App& app, Options& options, Texts& texts) {
         ->check(CLI::Range(1u, 65536u));
     app.add_option("--bounces", options.bounces, "reference: scattering events (1)")
         ->check(CLI::Range(0u, 64u));
-    addChoice(app, "--weights", options.di.weights, kWeights, "resampling weights (pairwise)");
-    addChoice(app, "--visibility", options.di.visibility, kVisibility, "visibility in reuse (traced)");
-    app.add_option("--candidates", options.di.lightCandidates, "light candidates per pixel (16)");
-    app.add_option("--bsdf-candidates", options.di.bsdfCandidates, "BSDF candidates per pixel (1)");
-    app.add_option("--neighbours", options.di.neighbours, "of spatial reuse (5)");
-    app.add_option("--radius", options.di.radius, "of spatial reuse (30)")->type_name("PX");
-    app.add_option("--max-history", options.di.maxHistory, "frames that temporal reuse may stand for (20)");
-    app.add_flag("--no-temporal", texts.noTemporal, "no temporal reuse");
-    app.add_flag("--no-spatial", texts.noSpatial, "no spatial reuse");
+    samples::addDiOptions(app, options.di);
     // For checking the reference itself.
     app.add_option("--reference-nee", texts.nextEvent)->check(CLI::IsMember({"on", "off"}))->group("");
 }
@@ -141,12 +126,14 @@ void applySize(Options& options, const std::string& text) {
     options.size = {size[0], size[1]};
 }
 
-void applyMode(Options& options, const Texts& texts) {
+void applyMode(Options& options) {
     for (const auto& [name, mode] : kModes) {
         if (mode == options.mode) options.modeName = name;
     }
-    if (texts.noTemporal || options.mode == Mode::Ris) options.di.temporal = false;
-    if (texts.noSpatial || options.mode == Mode::Ris) options.di.spatialPasses = 0;
+    if (options.mode == Mode::Ris) {
+        options.di.temporal = false;
+        options.di.spatialPasses = 0;
+    }
     if (options.mode == Mode::NextEvent) {
         options.di.mode = restir::DirectMode::NextEvent;
         options.di.lightCandidates = options.spp;
@@ -189,7 +176,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
         throw std::runtime_error("--env: environment lights are not supported yet");
     options.referenceNextEvent = texts.nextEvent != "off";
     applySize(options, texts.size);
-    applyMode(options, texts);
+    applyMode(options);
     applyCamera(options, texts);
     return options;
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "common/di_options.h"
 #include "common/reference.h"
 #include "common/renderer.h"
 
@@ -35,7 +36,9 @@ samples::FloatImage renderReference(const Options& options, const samples::Devic
 
 samples::FloatImage renderSdk(const Options& options, samples::Device& device, const samples::GpuScene& scene,
                               const samples::Sequence& sequence, Report& report) {
-    samples::Renderer renderer(device, scene, options.size);
+    restir::SessionDesc session;
+    samples::declareFor(options.di, session);
+    samples::Renderer renderer(device, scene, options.size, session);
     restir::Settings settings;
     settings.di = options.di;
     samples::FloatImage image = renderer.render(sequence, settings, Progress(options.quiet));

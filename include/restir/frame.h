@@ -76,7 +76,8 @@ struct GBuffer {
 // Where results go: storage images in VK_IMAGE_LAYOUT_GENERAL, written without format.
 struct Output {
     VkImageView radiance = VK_NULL_HANDLE;   // emission plus reflected direct light, times exposure; w = 1
-    VkOffset2D origin = {0, 0};
+    VkImageView debug = VK_NULL_HANDLE;      // required with Settings::debugView, else left alone
+    VkOffset2D origin = {0, 0};              // of the view's rectangle inside them
 };
 
 // Stages and access of the SDK at its edges, for the host's barriers.

@@ -39,6 +39,7 @@ enum class Resource : uint8_t {
     ReservoirsA,
     ReservoirsB,
     Outputs,
+    DebugOutput,
 };
 
 // One dispatch. A frame is a list of these, known before anything is recorded.

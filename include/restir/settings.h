@@ -45,8 +45,25 @@ struct DiSettings {
     bool averageShading = true;
 };
 
+// What Output::debug shows of the reservoirs that a frame ends with. rgb is a colour to be shown as it is (neither
+// tone-mapped nor encoded again), w the number behind it. A pixel without a surface is black and 0. In the views of a
+// sample, a pixel without one is grey and -1. Ramps run from dark blue over blue, green and yellow to red.
+enum class DebugView : uint8_t {
+    None,
+    Confidence,   // M in pixel-frames; ramp from 0 to (maxHistory + 1) (neighbours + 1)
+    Age,          // of the sample in frames; ramp 0, 3, 15, 63, 255
+    Weight,       // W of the sample; ramp 1e-2, 1, 1e2, 1e4, 1e6
+    Light,        // its light id; a colour for each
+    Visibility,   // traced anew, a ray a pixel: green and 1, or red and 0 where something blocks it
+    Neighbours,   // of the last spatial pass: how many it took; dark grey taken, red another normal, blue off the
+                  // plane, green without a surface, white outside the image or the pixel itself, in shares of them
+    Samples,      // the point on its light: red u, green v, blue 1 - u - v; w its distance in metres (1e30: infinite)
+    Duplicates,   // pixels among the 48 around with the same point on the same light; ramp 0, 3, 12, 27, 48
+};
+
 struct Settings {
     DiSettings di;
+    DebugView debugView = DebugView::None;   // other than None: one more pass; needs Output::debug and DirectMode::Restir
     bool counters = false;   // sum up rays and rejected weights (Session::counters); costs atomics
 };
 

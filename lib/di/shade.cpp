@@ -3,11 +3,12 @@
 
 namespace restir::di {
 
-PassInfo shade(uint32_t buffer, bool kills) noexcept {
+// Empties occluded reservoirs where visibility is Cached; a pass that may write counts as one that does.
+PassInfo shade(uint32_t buffer) noexcept {
     PassInfo pass = makePass("di.shade", {{Resource::Surfaces, Access::Read},
                                           {Resource::Scene, Access::Read},
                                           {Resource::Lights, Access::Read},
-                                          {reservoirs(buffer), kills ? Access::ReadWrite : Access::Read},
+                                          {reservoirs(buffer), Access::ReadWrite},
                                           {Resource::Outputs, Access::Write}});
     pass.source = pass.target = buffer;
     return pass;

@@ -8,7 +8,8 @@ namespace restir::di {
 PassInfo candidates(uint32_t target) noexcept;
 PassInfo temporal(uint32_t history, uint32_t target) noexcept;   // rewrites its own pixel of `target`
 PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
-PassInfo shade(uint32_t buffer, bool kills) noexcept;   // `kills`: occluded samples are emptied
+PassInfo shade(uint32_t buffer) noexcept;
 PassInfo nextEvent() noexcept;
+PassInfo debug(uint32_t buffer, uint32_t lastSpatial) noexcept;   // shows `buffer`, and whom that spatial pass asked
 
 }   // namespace restir::di

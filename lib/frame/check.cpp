@@ -81,6 +81,18 @@ Status checkImages(const MessageSink& sink, const FrameInput& frame, bool standa
     return Status::Ok;
 }
 
+Status checkDebug(const MessageSink& sink, const FrameInput& frame, const Settings& settings) noexcept {
+    if (settings.debugView == DebugView::None) return Status::Ok;
+    if (settings.debugView > DebugView::Duplicates)
+        return refuse(sink, "restir: Settings::debugView is %d", int(settings.debugView));
+    if (!frame.output.debug) return refuse(sink, "restir: FrameInput::output.debug is null, Settings::debugView needs it");
+    if (settings.di.mode != DirectMode::Restir)
+        return refuse(sink, "restir: Settings::debugView needs DirectMode::Restir, there are no reservoirs without");
+    if (settings.debugView == DebugView::Neighbours && settings.di.spatialPasses == 0)
+        return refuse(sink, "restir: Settings::debugView is Neighbours, but DiSettings::spatialPasses is 0");
+    return Status::Ok;
+}
+
 Status checkObjects(const Session::Impl& s, const FrameInput& frame) noexcept {
     const MessageSink& sink = s.device().sink();
     const LightTable::Impl& lights = Internals::of(*frame.lights);
@@ -116,6 +128,7 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
         return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
     if (Status status = checkImages(sink, frame, s.context->ownsSceneLayout); status != Status::Ok) return status;
     if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
+    if (Status status = checkDebug(sink, frame, settings); status != Status::Ok) return status;
     return checkSettings(sink, settings.di);
 }
 

@@ -87,6 +87,7 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.motionScale = {g.motionScale[0], g.motionScale[1]};
     c.normalEncoding = uint32_t(g.normals);
     c.rayLogCapacity = s.desc.rayLogCapacity;
+    c.debugView = uint32_t(settings.debugView);
     c.di = diConstants(settings.di);
     return c;
 }

@@ -100,10 +100,11 @@ Status queryDevice(Device& device, uint32_t queueFamily) noexcept {
 Status checkLimits(const Context::Impl& c, const ContextDesc& desc) noexcept {
     const VkPhysicalDeviceLimits& limits = c.device.limits;
     const uint32_t textures = desc.bridgeSetLayout ? 0 : desc.maxTextures;
-    uint32_t storage = 2, sampled = textures;   // the scene set's
+    uint32_t storage = 2, sampled = textures, images = 0;   // the scene set's
     for (uint32_t i = 0; i < RS_BIND_COUNT; ++i) {
         if (bindingType(i) == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER) storage += bindingCount(i);
         if (bindingType(i) == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE) ++sampled;
+        if (bindingType(i) == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) ++images;
     }
     const MessageSink& sink = c.device.sink();
     if (sampled > limits.maxPerStageDescriptorSampledImages || textures > limits.maxPerStageDescriptorSamplers)
@@ -112,6 +113,9 @@ Status checkLimits(const Context::Impl& c, const ContextDesc& desc) noexcept {
     if (storage > limits.maxPerStageDescriptorStorageBuffers)
         return refuse(sink, "restir: the passes bind %u storage buffers, this device has %u a stage", storage,
                       limits.maxPerStageDescriptorStorageBuffers);
+    if (images > limits.maxPerStageDescriptorStorageImages)
+        return refuse(sink, "restir: the passes bind %u storage images, this device has %u a stage", images,
+                      limits.maxPerStageDescriptorStorageImages);
     return Status::Ok;
 }
 

@@ -23,11 +23,12 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 6> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 7> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatial"},
                                        {"di.shade"},
+                                       {"di.debug"},
                                        {"di.next_event"}}};
 
     VkPipeline pipelineOf(const char* pass) const noexcept;

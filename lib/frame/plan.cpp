@@ -1,5 +1,7 @@
 #include <frame/plan.h>
 
+#include <algorithm>
+
 #include <di/stages.h>
 #include <surface/stages.h>
 
@@ -31,7 +33,8 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
         add(di::spatial(current, 1 - current, i, averages && i + 1 == di.spatialPasses));
         current = 1 - current;
     }
-    if (!averages) add(di::shade(current, di.visibility == VisibilityReuse::Cached));
+    if (!averages) add(di::shade(current));
+    if (settings.debugView != DebugView::None) add(di::debug(current, std::max(di.spatialPasses, 1u) - 1));
     plan.historyOut = current;
     return plan;
 }

@@ -77,15 +77,13 @@ void FrameLoop::finish(const Sequence& sequence, const Frame& frame, const Frame
     slots_.wait(frame.slot);
     const auto* pixels = reinterpret_cast<const float*>(readback_[frame.slot].mapped());
     const size_t count = size_t{extent_.width} * extent_.height;
-    double alpha = 0;
-    for (size_t i = 0; i < count; ++i) alpha += static_cast<double>(pixels[kChannels * i + 3]);
     if (sequence.accumulate || frame.last) {
         for (size_t i = 0; i < count; ++i) {
             for (size_t c = 0; c < 3; ++c) sum_[3 * i + c] += static_cast<double>(pixels[kChannels * i + c]);
         }
         ++summed_;
     }
-    callbacks.finished(frame, alpha);
+    callbacks.finished(frame, {pixels, kChannels * count});
     if (callbacks.progress) callbacks.progress(frame.index + 1, sequence.frames);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "common/camera.h"
@@ -30,8 +31,8 @@ struct Frame {
 struct FrameCallbacks {
     // Writes FrameLoop::target(), in VK_IMAGE_LAYOUT_GENERAL, and leaves its writes in `written`.
     std::function<void(VkCommandBuffer, const Frame&)> record;
-    // The GPU is done with the frame; `alpha` is the sum of the target's fourth channel.
-    std::function<void(const Frame&, double alpha)> finished;
+    // The GPU is done with the frame; `target` is what it wrote, four channels a pixel.
+    std::function<void(const Frame&, std::span<const float> target)> finished;
     std::function<void(uint32_t done, uint32_t all)> progress;   // may be empty
     restir::Scope written;
 };

@@ -26,7 +26,8 @@ constexpr const char* kChannelNames[kChannels] = {"R", "G", "B"};
 
 void checkShape(const std::string& path, const FloatImage& image) {
     const size_t pixels = size_t{image.width} * image.height;
-    if (pixels == 0 || pixels > kMaxPixels || image.rgb.size() != pixels * kChannels)
+    if (pixels == 0 || pixels > kMaxPixels || image.rgb.size() != pixels * kChannels ||
+        (!image.alpha.empty() && image.alpha.size() != pixels))
         throw std::runtime_error(path + ": cannot be written, the image has no pixels or the wrong size");
 }
 
@@ -135,6 +136,20 @@ std::vector<uint8_t> displayBytes(const FloatImage& image, float exposure) {
     return bytes;
 }
 
+void writeBytes(const std::string& path, const FloatImage& image, const std::vector<uint8_t>& bytes) {
+    writeThenRename(path, [&](const std::string& partial) {
+        std::ofstream file(partial, std::ios::binary);
+        const auto append = [](void* stream, void* data, int size) {
+            static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
+        };
+        const bool encoded = stbi_write_png_to_func(append, &file, static_cast<int>(image.width),
+                                                    static_cast<int>(image.height), kChannels, bytes.data(),
+                                                    static_cast<int>(image.width * kChannels)) != 0;
+        file.close();
+        if (!encoded || !file) throw std::runtime_error("no space or no permission");
+    });
+}
+
 }   // namespace
 
 void writeExr(const std::string& path, const FloatImage& image) {
@@ -142,9 +157,15 @@ void writeExr(const std::string& path, const FloatImage& image) {
     writeThenRename(path, [&](const std::string& partial) {
         Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
         for (const char* name : kChannelNames) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-        Imf::OutputFile file(partial.c_str(), header);
         // OpenEXR has one slice type for reading and writing; here it only reads.
-        file.setFrameBuffer(interleaved(const_cast<float*>(image.rgb.data()), image.width, {0, 0}, false));
+        Imf::FrameBuffer buffer = interleaved(const_cast<float*>(image.rgb.data()), image.width, {0, 0}, false);
+        if (!image.alpha.empty()) {
+            header.channels().insert("A", Imf::Channel(Imf::FLOAT));
+            char* alpha = reinterpret_cast<char*>(const_cast<float*>(image.alpha.data()));
+            buffer.insert("A", Imf::Slice(Imf::FLOAT, alpha, sizeof(float), image.width * sizeof(float)));
+        }
+        Imf::OutputFile file(partial.c_str(), header);
+        file.setFrameBuffer(buffer);
         file.writePixels(static_cast<int>(image.height));
     });
 }
@@ -160,18 +181,15 @@ FloatImage readExr(const std::string& path) {
 
 void writePng(const std::string& path, const FloatImage& image, float exposure) {
     checkShape(path, image);
-    const std::vector<uint8_t> bytes = displayBytes(image, exposure > 0 ? exposure : autoExposure(image));
-    writeThenRename(path, [&](const std::string& partial) {
-        std::ofstream file(partial, std::ios::binary);
-        const auto append = [](void* stream, void* data, int size) {
-            static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
-        };
-        const bool encoded = stbi_write_png_to_func(append, &file, static_cast<int>(image.width),
-                                                    static_cast<int>(image.height), kChannels, bytes.data(),
-                                                    static_cast<int>(image.width * kChannels)) != 0;
-        file.close();
-        if (!encoded || !file) throw std::runtime_error("no space or no permission");
-    });
+    writeBytes(path, image, displayBytes(image, exposure > 0 ? exposure : autoExposure(image)));
+}
+
+void writeColorsPng(const std::string& path, const FloatImage& image) {
+    checkShape(path, image);
+    std::vector<uint8_t> bytes;
+    for (const float value : image.rgb)
+        bytes.push_back(static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)));
+    writeBytes(path, image, bytes);
 }
 
 }   // namespace samples

@@ -39,7 +39,10 @@ FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& 
                                .lightCount = static_cast<uint32_t>(scene_.lights().size()),
                                .flags = flags});
     };
-    callbacks.finished = [&](const Frame&, double rays) { raysPerFrame_ = rays; };
+    callbacks.finished = [&](const Frame&, std::span<const float> target) {
+        raysPerFrame_ = 0;
+        for (size_t i = 3; i < target.size(); i += 4) raysPerFrame_ += static_cast<double>(target[i]);
+    };
     callbacks.progress = progress;
     callbacks.written = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
     return loop_.run(sequence, callbacks);

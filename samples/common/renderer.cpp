@@ -47,15 +47,22 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
                             const std::function<void(uint32_t, uint32_t)>& progress) {
     stats_ = {};
     FrameCallbacks callbacks;
-    callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, frame, settings); };
-    callbacks.finished = [&](const Frame& frame, double) { collect(frame); };
+    settings_ = settings;
+    alpha_.clear();
+    if (debugs() && unseen_.handle() == VK_NULL_HANDLE)
+        unseen_ = GpuImage(device_, loop_.extent(), VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_STORAGE_BIT);
+    callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, frame); };
+    callbacks.finished = [&](const Frame& frame, std::span<const float> target) { collect(frame, target); };
     callbacks.progress = progress;
     callbacks.written = restir::Session::outputScope();
-    return loop_.run(sequence, callbacks);
+    FloatImage image = loop_.run(sequence, callbacks);
+    image.alpha = std::move(alpha_);
+    return image;
 }
 
-void Renderer::record(VkCommandBuffer cmd, const Frame& frame, restir::Settings settings) {
+void Renderer::record(VkCommandBuffer cmd, const Frame& frame) {
     gbuffer_.record(cmd, frame.pose, frame.previous, frame.jitter, restir::Session::inputScope());
+    restir::Settings settings = settings_;
     settings.counters = settings.counters || frame.last;
     restir::FrameInput input;
     input.frameSlot = frame.slot;
@@ -68,11 +75,18 @@ void Renderer::record(VkCommandBuffer cmd, const Frame& frame, restir::Settings 
     input.scene = &sdkScene_;
     input.lights = &lights_;
     input.output.radiance = loop_.target();
+    if (debugs()) {
+        const restir::Scope scope = restir::Session::outputScope();
+        const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
+        pipelineBarrier(cmd, {{imageBarrier(unseen_, {scope.stages, scope.access, VK_IMAGE_LAYOUT_UNDEFINED}, written)}});
+        input.output.radiance = unseen_.view();
+        input.output.debug = loop_.target();
+    }
     input.resetHistory = frame.index == 0;
     device_.check(session_.record(cmd, input, settings), "restir::Session::record");
 }
 
-void Renderer::collect(const Frame& frame) {
+void Renderer::collect(const Frame& frame, std::span<const float> target) {
     // A pass that the first frames do without still gets its place in the order.
     auto next = stats_.passes.begin();
     for (const restir::PassTiming& timing : session_.timings(frame.slot)) {
@@ -86,7 +100,9 @@ void Renderer::collect(const Frame& frame) {
         pass->milliseconds[at] += timing.milliseconds;
         next = pass + 1;
     }
-    if (frame.last) stats_.counters = session_.counters(frame.slot);
+    if (!frame.last) return;
+    stats_.counters = session_.counters(frame.slot);
+    for (size_t i = 3; debugs() && i < target.size(); i += 4) alpha_.push_back(target[i]);
 }
 
 std::vector<restir::BufferInfo> Renderer::memory() const {

@@ -30,7 +30,7 @@ public:
     // `session` declares what its settings need (declareFor()); its maxExtent is `extent`.
     Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, restir::SessionDesc session = {});
 
-    // Forgets all history first.
+    // Forgets all history first. With settings.debugView the picture is Output::debug of the last frame.
     FloatImage render(const Sequence& sequence, const restir::Settings& settings,
                       const std::function<void(uint32_t done, uint32_t all)>& progress = {});
 
@@ -40,18 +40,22 @@ public:
     restir::Session& session() { return session_; }
 
 private:
-    void record(VkCommandBuffer cmd, const Frame& frame, restir::Settings settings);
-    void collect(const Frame& frame);
+    void record(VkCommandBuffer cmd, const Frame& frame);
+    void collect(const Frame& frame, std::span<const float> target);
+    bool debugs() const { return settings_.debugView != restir::DebugView::None; }
 
     Device& device_;
     const GpuScene& scene_;
     FrameLoop loop_;
+    GpuImage unseen_;   // takes the radiance where something else is looked at
     GBufferPass gbuffer_;
     restir::Context context_;
     restir::Scene sdkScene_;
     restir::LightTable lights_;
     restir::Session session_;
     VkDeviceSize lightBytes_ = 0;
+    restir::Settings settings_;   // of the sequence, as its alpha
+    std::vector<float> alpha_;
     RenderStats stats_;
 };
 

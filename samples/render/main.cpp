@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
         const render::Outcome outcome = render::render(*options);
         render::writeFiles(*options, outcome);
         if (!options->quiet) render::printTable(*options, outcome.report);
+        if (!options->quiet) render::printLegend(*options);
         return outcome.report.validationMessages == 0 ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "restir-render: %s\n", error.what());

@@ -53,6 +53,16 @@ struct Texts {
 const std::map<std::string, Mode> kModes = {
     {"reference", Mode::Reference}, {"nee", Mode::NextEvent}, {"ris", Mode::Ris}, {"di", Mode::Di}};
 
+const std::map<std::string, restir::DebugView> kDebugViews = {
+    {"age", restir::DebugView::Age},
+    {"confidence", restir::DebugView::Confidence},
+    {"duplicates", restir::DebugView::Duplicates},
+    {"light", restir::DebugView::Light},
+    {"neighbours", restir::DebugView::Neighbours},
+    {"samples", restir::DebugView::Samples},
+    {"visibility", restir::DebugView::Visibility},
+    {"weight", restir::DebugView::Weight}};
+
 // An option whose value is one of a map's keys.
 template <class T>
 void addChoice(CLI::App& app, const char* name, T& value, const std::map<std::string, T>& choices,
@@ -111,6 +121,8 @@ void addEstimator(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--bounces", options.bounces, "reference: scattering events (1)")
         ->check(CLI::Range(0u, 64u));
     samples::addDiOptions(app, options.di);
+    addChoice(app, "--debug", options.debug, kDebugViews,
+              "show what the last frame's reservoirs hold: colours, and in the EXR's channel A numbers");
     // For checking the reference itself.
     app.add_option("--reference-nee", texts.nextEvent)->check(CLI::IsMember({"on", "off"}))->group("");
 }
@@ -137,6 +149,11 @@ void applyMode(Options& options) {
     if (options.mode == Mode::NextEvent) {
         options.di.mode = restir::DirectMode::NextEvent;
         options.di.lightCandidates = options.spp;
+    }
+    if (options.debug != restir::DebugView::None) {
+        if (options.di.mode != restir::DirectMode::Restir || options.mode == Mode::Reference)
+            throw std::runtime_error("--debug: only --mode di and ris have reservoirs to show");
+        if (options.accumulate) throw std::runtime_error("--debug: shows one frame, not the mean of --accumulate");
     }
     if (options.mode != Mode::Reference && options.bounces != 1) {
         throw std::runtime_error("--bounces: only --mode reference follows light further than one bounce");

@@ -24,6 +24,7 @@ struct Options {
     uint32_t spp = 1;
     uint32_t bounces = 1;
     restir::DiSettings di;
+    restir::DebugView debug = restir::DebugView::None;
     bool accumulate = false;
     bool lambert = false;
     bool validate = false;

@@ -41,6 +41,7 @@ samples::FloatImage renderSdk(const Options& options, samples::Device& device, c
     samples::Renderer renderer(device, scene, options.size, session);
     restir::Settings settings;
     settings.di = options.di;
+    settings.debugView = options.debug;
     samples::FloatImage image = renderer.render(sequence, settings, Progress(options.quiet));
     report.passes = renderer.stats().passes;
     report.raysPerFrame = renderer.stats().counters.rays;
@@ -100,7 +101,10 @@ void writeFiles(const Options& options, const Outcome& outcome) {
     };
     try {
         write(options.exr, [&](const std::string& path) { samples::writeExr(path, outcome.image); });
-        write(options.png, [&](const std::string& path) { samples::writePng(path, outcome.image); });
+        const bool colors = options.debug != restir::DebugView::None;
+        write(options.png, [&](const std::string& path) {
+            colors ? samples::writeColorsPng(path, outcome.image) : samples::writePng(path, outcome.image);
+        });
         write(options.stats,
               [&](const std::string& path) { writeText(path, toJson(options, outcome.report)); });
     } catch (...) {

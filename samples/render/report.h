@@ -24,6 +24,8 @@ struct Report {
 };
 
 void printTable(const Options& options, const Report& report);
+// What the colours of --debug mean, and the numbers behind them.
+void printLegend(const Options& options);
 std::string toJson(const Options& options, const Report& report);
 
 // One line on stderr: rewritten on a terminal, else one every tenth of the frames.

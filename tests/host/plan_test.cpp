@@ -27,6 +27,10 @@ std::vector<Settings> allSettings() {
         for (uint32_t spatial = 0; spatial <= 3; ++spatial)
             for (auto visibility : {VisibilityReuse::None, VisibilityReuse::Cached, VisibilityReuse::Traced})
                 all.push_back(settingsOf(temporal, spatial, visibility));
+    for (size_t i = 0; i < 24; i += 5) {
+        all.push_back(all[i]);
+        all.back().debugView = DebugView::Light;
+    }
     all.push_back({.di = {.mode = DirectMode::NextEvent}});
     return all;
 }
@@ -94,13 +98,17 @@ TEST(Plan, OrderOfStages) {
         order(true, settingsOf(true, 2, VisibilityReuse::Traced)),
         (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial"}));
     EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent}}), (Names{"surface.pack", "di.next_event"}));
+    EXPECT_EQ(order(true, {.debugView = DebugView::Age}),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.debug"}));
 }
 
-// Once, and by the last pass.
+// Once, and by the last pass but that which shows what it left.
 TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
     for (const Plan& plan : allPlans())
         for (const PassInfo& pass : plan.passes) {
-            const bool last = &pass == &plan.passes.back();
+            const bool shows = std::string(plan.passes.back().name) == "di.debug";
+            const bool last = &pass == &plan.passes.back() - (shows ? 1 : 0);
+            EXPECT_EQ(uses(pass, Resource::DebugOutput, true), shows && &pass == &plan.passes.back());
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
             if (std::string(pass.name) == "di.spatial") {
                 EXPECT_EQ(pass.shades, last);
@@ -157,8 +165,11 @@ TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
                 EXPECT_EQ(plan.historyOut, pass.source);
                 EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false));
+            } else if (name == "di.debug") {
+                EXPECT_EQ(static_cast<int>(pass.source), latest);
+                EXPECT_EQ(plan.historyOut, pass.source);
             }
-            if (name.starts_with("di.") && name != "di.next_event") latest = static_cast<int>(pass.target);
+            if (name.starts_with("di.") && name != "di.next_event" && name != "di.debug") latest = static_cast<int>(pass.target);
         }
     }
 }

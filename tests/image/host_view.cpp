@@ -40,11 +40,13 @@ HostView::HostView(const samples::GpuScene& scene, const samples::View& view, co
     : scene_(scene), view_(view), desc_(desc) {
     if (desc_.maxLights == 0) desc_.maxLights = scene.maxLights();
     for (uint32_t i = 0; i < kSlots; ++i) {
-        targets_[i] = samples::GpuImage(device(), desc.maxExtent, VK_FORMAT_R32G32B32A32_SFLOAT,
-                                        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
-        readbacks_[i] = samples::Buffer(device(), {.size = bytesOf(desc.maxExtent),
-                                                   .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                   .memory = samples::MemoryKind::Readback});
+        for (size_t t = 0; t < targetCount(); ++t) {
+            targets_[i][t] = samples::GpuImage(device(), desc.maxExtent, VK_FORMAT_R32G32B32A32_SFLOAT,
+                                               VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+            readbacks_[i][t] = samples::Buffer(device(), {.size = bytesOf(desc.maxExtent),
+                                                          .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                          .memory = samples::MemoryKind::Readback});
+        }
     }
     restir::ContextDesc contextInfo = contextDesc();
     contextInfo.device.memory = desc.memory;
@@ -90,33 +92,44 @@ restir::FrameInput HostView::input(uint32_t index) const {
     input.tlas = scene_.tlas();
     input.scene = sdkScene_.get();
     input.lights = lights_.get();
-    input.output.radiance = targets_[input.frameSlot].view();
+    const auto& targets = targets_[input.frameSlot];
+    input.output = {.radiance = targets[size_t(Target::Radiance)].view(), .debug = targets[size_t(Target::Debug)].view()};
     return input;
 }
 
 void HostView::record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings) {
     const restir::Scope scope = restir::Session::outputScope();
     const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
-    const samples::GpuImage& target = targets_[input.frameSlot];
     const Access before{kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last use was copied
-    samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, before, written)}});
+    const auto barriers = [&](const Access& from, const Access& to) {
+        for (size_t t = 0; t < targetCount(); ++t)
+            samples::pipelineBarrier(cmd, {{samples::imageBarrier(targets_[input.frameSlot][t], from, to)}});
+    };
+    barriers(before, written);
     device().check(session_->record(cmd, input, settings), "Session::record");
-    samples::pipelineBarrier(cmd, {{samples::imageBarrier(target, written, kCopyFrom)}});
+    barriers(written, kCopyFrom);
     VkExtent2D& extent = extents_[input.frameSlot];
     extent.width = input.extent.width + uint32_t(input.output.origin.x);
     extent.height = input.extent.height + uint32_t(input.output.origin.y);
     const VkBufferImageCopy region = wholeImage(extent);
-    vkCmdCopyImageToBuffer(cmd, target.handle(), kCopyFrom.layout, readbacks_[input.frameSlot].handle(), 1, &region);
+    for (size_t t = 0; t < targetCount(); ++t)
+        vkCmdCopyImageToBuffer(cmd, targets_[input.frameSlot][t].handle(), kCopyFrom.layout,
+                               readbacks_[input.frameSlot][t].handle(), 1, &region);
     samples::memoryBarrier(cmd, kCopyTo, {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }
 
 samples::FloatImage HostView::read(uint32_t slot) const {
     const VkExtent2D extent = extents_[slot];
     samples::FloatImage image{extent.width, extent.height, {}};
-    const auto* pixels = reinterpret_cast<const float*>(readbacks_[slot].mapped());
-    for (size_t i = 0; i < size_t{extent.width} * extent.height; ++i)
-        image.rgb.insert(image.rgb.end(), pixels + 4 * i, pixels + 4 * i + 3);
+    for (const glm::vec4& pixel : read(slot, Target::Radiance))
+        image.rgb.insert(image.rgb.end(), {pixel.x, pixel.y, pixel.z});
     return image;
+}
+
+std::span<const glm::vec4> HostView::read(uint32_t slot, Target target) const {
+    const VkExtent2D extent = extents_[slot];
+    return {reinterpret_cast<const glm::vec4*>(readbacks_[slot][size_t(target)].mapped()),
+            size_t{extent.width} * extent.height};
 }
 
 samples::FloatImage HostView::frame(const restir::FrameInput& input, const restir::Settings& settings) {

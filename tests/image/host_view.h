@@ -17,7 +17,11 @@ struct HostDesc {
     uint32_t maxLights = 0;   // 0: as many as the scene has
     restir::MemoryProvider memory = {};
     uint32_t rayLogCapacity = 0;
+    bool allOutputs = false;   // else radiance alone
 };
+
+// The images of restir::Output.
+enum class Target : uint8_t { Radiance, Debug, Count };
 
 class HostView {
 public:
@@ -39,6 +43,7 @@ public:
     // With what the target needs around it.
     void record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings);
     samples::FloatImage read(uint32_t slot) const;   // once the GPU is done
+    std::span<const glm::vec4> read(uint32_t slot, Target target) const;   // HostDesc::allOutputs
 
     samples::FloatImage frame(const restir::FrameInput& input, const restir::Settings& settings);
     // `count` frames from `first` on; the last one's picture.
@@ -55,8 +60,10 @@ private:
     HostDesc desc_;
     VkExtent2D extent_;
     std::vector<std::unique_ptr<samples::GBufferPass>> gbuffers_;   // the last one counts
-    samples::GpuImage targets_[kSlots];
-    samples::Buffer readbacks_[kSlots];
+    size_t targetCount() const { return desc_.allOutputs ? size_t(Target::Count) : 1; }
+
+    std::array<samples::GpuImage, size_t(Target::Count)> targets_[kSlots];
+    std::array<samples::Buffer, size_t(Target::Count)> readbacks_[kSlots];
     std::array<VkExtent2D, kSlots> extents_{};   // of the frames read back
     std::unique_ptr<restir::Context> context_;
     std::unique_ptr<restir::Scene> sdkScene_;

@@ -75,6 +75,18 @@ const BadFrame kBadFrames[] = {
     {"clipFromView", [](FrameInput& f, Settings&) { f.camera.clipFromView.m[5] = 0; }},
     {"clipFromView", [](FrameInput& f, Settings&) { f.camera.clipFromView.m[11] = -2; }},
     {"jitter", [](FrameInput& f, Settings&) { f.camera.jitter[0] = std::numeric_limits<float>::infinity(); }},
+    {"debugView", [](FrameInput&, Settings& s) { s.debugView = restir::DebugView(9); }},
+    {"debug", [](FrameInput&, Settings& s) { s.debugView = restir::DebugView::Age; }},
+    {"DirectMode", [](FrameInput& f, Settings& s) {
+         f.output.debug = f.output.radiance;
+         s.debugView = restir::DebugView::Age;
+         s.di.mode = restir::DirectMode::NextEvent;
+     }},
+    {"spatialPasses", [](FrameInput& f, Settings& s) {
+         f.output.debug = f.output.radiance;
+         s.debugView = restir::DebugView::Neighbours;
+         s.di.spatialPasses = 0;
+     }},
     {"mode", [](FrameInput&, Settings& s) { s.di.mode = restir::DirectMode(2); }},
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 0; }},
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 65537; }},

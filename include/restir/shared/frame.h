@@ -36,6 +36,7 @@ struct RsFrame {
     vec2 motionScale;      // host motion to pixels, previous minus current
     uint normalEncoding;   // RS_NORMAL_*
     uint rayLogCapacity;   // rays
+    uint debugView;        // RS_DEBUG_*
     RsDiConstants di;
 };
 
@@ -100,7 +101,8 @@ RS_SHARED_END
 #define RS_BIND_MOTION 18
 #define RS_BIND_EMISSION 19
 #define RS_BIND_RADIANCE 20
-#define RS_BIND_COUNT 21
+#define RS_BIND_DEBUG 21             // from RADIANCE on: storage images
+#define RS_BIND_COUNT 22
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

@@ -22,12 +22,22 @@ RsNeighbour rsLoadNeighbour(RsNeighbourhood where, uint i) {
     return RsNeighbour(rsLoadSurface(at), rsLoadSource(at), false);
 }
 
+RsNeighbourhood rsNeighbourhood(uvec2 pixel, RsDiConstants di, inout RsRandom random) {
+    return RsNeighbourhood(pixel, di.radius, rsNext2(random), di.neighbours, 0u, 0.0);
+}
+
+// RS_ACCEPTED, or why not.
+uint rsJudgeNeighbour(RsSurface s, ivec2 at, uvec2 pixel, uvec2 extent, RsDiConstants di) {
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(extent))) || uvec2(at) == pixel)
+        return RS_REJECTED_OUTSIDE;
+    return rsCompareInFrame(s, rsLoadSurface(uvec2(at)), di);
+}
+
 RsNeighbourhood rsFindNeighbours(RsSurface s, uvec2 pixel, uvec2 extent, RsDiConstants di, inout RsRandom random) {
-    RsNeighbourhood where = RsNeighbourhood(pixel, di.radius, rsNext2(random), di.neighbours, 0u, 0.0);
+    RsNeighbourhood where = rsNeighbourhood(pixel, di, random);
     for (uint i = 0u; i < di.neighbours; ++i) {
         ivec2 at = rsNeighbourPixel(where, i);
-        if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(extent))) || uvec2(at) == pixel) continue;
-        if (!rsSimilarInFrame(s, rsLoadSurface(uvec2(at)), di)) continue;
+        if (rsJudgeNeighbour(s, at, pixel, extent, di) != RS_ACCEPTED) continue;
         where.accepted |= 1u << i;
         where.confidence += float(rsConfidence(rsLoadSource(uvec2(at))));
     }

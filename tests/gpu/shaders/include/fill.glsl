@@ -72,6 +72,7 @@ FILL fillFrame(RS_INOUT(RsFrame) s, int b) {
     s.motionScale = V2(b + 214);
     s.normalEncoding = U(b + 216);
     s.rayLogCapacity = U(b + 217);
+    s.debugView = U(b + 218);
     fillDi(s.di, b + 220);
 }
 

@@ -50,6 +50,7 @@ HostView::HostView(const samples::GpuScene& scene, const samples::View& view, co
     }
     restir::ContextDesc contextInfo = contextDesc();
     contextInfo.device.memory = desc.memory;
+    contextInfo.shaders = desc.shaders;
     context_ = made(restir::Context::create(contextInfo), "Context");
     const restir::SceneDesc sceneInfo{
         .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
@@ -66,6 +67,14 @@ void HostView::newSession() {
     session_.reset();
     const restir::SessionDesc info{.maxExtent = desc_.maxExtent, .rayLogCapacity = desc_.rayLogCapacity};
     session_ = made(restir::Session::create(*context_, info), "Session");
+}
+
+void HostView::look(const samples::View& view) {
+    const samples::CameraPose pose = samples::makePose(view, extent_), before = samples::makePose(view_, extent_);
+    view_ = view;
+    device().submitAndWait([&](VkCommandBuffer cmd) {
+        gbuffers_.back()->record(cmd, pose, before, {0, 0}, restir::Session::inputScope());
+    });
 }
 
 void HostView::upload(std::span<const restir::Light> lights) {

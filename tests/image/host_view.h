@@ -1,4 +1,4 @@
-// A small host that drives the SDK itself: a still camera, four frame slots with a target each.
+// A small host that drives the SDK itself, frame by frame: four frame slots with a target each.
 #pragma once
 
 #include <array>
@@ -18,6 +18,7 @@ struct HostDesc {
     restir::MemoryProvider memory = {};
     uint32_t rayLogCapacity = 0;
     bool allOutputs = false;   // else radiance alone
+    const restir::ShaderPack* shaders = nullptr;   // null: the library's
 };
 
 // The images of restir::Output.
@@ -33,6 +34,8 @@ public:
 
     static restir::ContextDesc contextDesc();
 
+    // The camera of the next input(), now; the one before is where motion comes from.
+    void look(const samples::View& view);
     // Replaces the lights, now.
     void upload(std::span<const restir::Light> lights);
     // The G-buffer of another extent, from the next input() on.

@@ -1,0 +1,150 @@
+# The mistakes that the field makes (THEORY, in brackets), one each. tests/image/mutants_test.cpp says where each shows.
+
+# ---- candidates ------------------------------------------------------------------------------------------
+
+restir_mutant(misses_not_counted "light candidates without light are not counted (section 2)"
+    restir/di/candidates.glsl di/candidates
+    [[    float sum = 0.0;
+]] [[    float sum = 0.0, misses = 0.0;
+]]
+    [[        if (direct.target == 0.0 || light.selection <= 0.0) continue;]]
+    [[        if (direct.target == 0.0 || light.selection <= 0.0) {
+            misses += 1.0;
+            continue;
+        }]]
+    [[chosen.ucw = sum / chosen.direct.target;]]
+    [[chosen.ucw = sum / chosen.direct.target * float(candidates) / (float(candidates) - misses);]])
+
+restir_mutant(bsdf_share_without_visibility
+    "what directions cannot find, being occluded, is weighed as if they could, then reused (section 2)"
+    restir/di/candidates.glsl di/candidates
+    [[if (visible && nb > 0.0)]] [[if (nb > 0.0)]])
+
+restir_mutant(bsdf_density_without_count "p_b instead of n_b p_b (section 2)"
+    restir/di/candidates.glsl di/candidates
+    [[+ bsdfCandidates * pdf)]] [[+ pdf)]])
+
+restir_mutant(mixed_measures "p_b per solid angle beside p_l per area (section 1)"
+    restir/di/candidates.glsl di/candidates
+    [[rsBridgeBsdfPdf(s, direct.incident.direction) * direct.incident.solidAngle;
+    if (!(direct.target]]
+    [[rsBridgeBsdfPdf(s, direct.incident.direction);
+    if (!(direct.target]])
+
+restir_mutant(light_drawn_off_its_pdf "light 0 is drawn half as often as its pdf says (section 2)"
+    restir/lights/table.glsl di/candidates
+    [[    return rsNextBits(random) < entry.threshold ? column : entry.alias;]]
+    [[    uint id = rsNextBits(random) < entry.threshold ? column : entry.alias;
+    return id == 0u && rsNext(random) < 0.5 ? 1u : id;]])
+
+restir_mutant(coin_reused "the random number that chose a light also decides whether it is kept (section 4, independent coins)"
+    restir/di/candidates.glsl di/candidates
+    [[        uint id = rsSampleLight(lightCount, random);]]
+    [[        RsRandom again = random;
+        uint id = rsSampleLight(lightCount, random);]]
+    [[        float coin = rsNext(random);
+        if (direct.target == 0.0]]
+    [[        float coin = rsNext(again);
+        if (direct.target == 0.0]])
+
+restir_mutant(survivors_counted "an empty fresh reservoir has confidence 0 (section 2, counting)"
+    restir/di/candidates.glsl di/candidates
+    [[rsEmptyReservoir(1u)]] [[rsEmptyReservoir(0u)]])
+
+# ---- spatial: the weights --------------------------------------------------------------------------------
+
+restir_mutant(empty_is_rejected "empty neighbours leave S and the sum of c (section 3)"
+    restir/di/spatial.glsl di/spatial
+    [[        where.accepted |= 1u << i;]]
+    [[        if (!rsHasSample(rsLoadSource(uvec2(at)))) continue;
+        where.accepted |= 1u << i;]])
+
+restir_mutant(off_labelled_pairwise "m_i = c_i / sum c where supports differ (section 4)"
+    restir/di/combine.glsl di/spatial
+    [[mis *= S / (S + canonicalConfidence) * there / (canonicalConfidence * here.target + S * there);]]
+    [[mis /= S + canonicalConfidence;]]
+    [[(sums.canonicalMis * S + cc) / (S + cc)]] [[cc / (S + cc)]])
+
+restir_mutant(undefined_shift_skipped "where p^_i(Y_c) = 0 the term c_i / S of m_c is skipped (section 4)"
+    restir/di/combine.glsl di/spatial
+    [[        } else if (pairwise) {
+            sums.canonicalMis +=]]
+    [[        } else if (pairwise) {
+            if (counts) sums.canonicalMis +=]])
+
+restir_mutant(neighbours_visibility_missing "Cached's formula labelled Traced: killed samples, no V_i in m (section 4)"
+    restir/di/combine.glsl di/spatial
+    [[if (counts && traced && !itsOwn)]] [[if (counts && traced && !itsOwn && sampling)]])
+
+restir_mutant(canonical_visibility_missing "no ray from the pixel itself to its neighbours' samples (section 4)"
+    restir/di/combine.glsl di/spatial
+    [[if (counts && traced && !itsOwn)]] [[if (counts && traced && !itsOwn && !sampling)]])
+
+restir_mutant(balance_without_source_target "p^(Y) instead of p^_s(Y) over the balance heuristic's sum (section 4)"
+    restir/di/combine.glsl di/spatial
+    [[ucw *= selected.sourceTarget / sums.normalisation]] [[ucw *= selected.target / sums.normalisation]])
+
+restir_mutant(basic_counts_everyone "1/M labelled 1/Z: pixels that cannot have the sample count, too (section 4)"
+    restir/di/combine.glsl di/spatial
+    [[counts ? c : 0.0;]] [[c;]])
+
+restir_mutant(defensive_part_unscaled "the canonical's defensive share is added without scaling the rest (section 4)"
+    restir/di/combine.glsl di/spatial
+    [[(sums.canonicalMis * S + cc) / (S + cc)]] [[sums.canonicalMis + cc / (S + cc)]])
+
+restir_mutant(larger_weight_wins "of the neighbours only the one with the largest W is taken (section 4, never on the outcome)"
+    restir/di/spatial.glsl di/spatial
+    [[        where.accepted |= 1u << i;
+        where.confidence += float(rsConfidence(rsLoadSource(uvec2(at))));]]
+    [[        RsReservoir taken = rsLoadSource(uvec2(at));
+        if (where.accepted != 0u && taken.ucw <= rsLoadNeighbour(where, uint(findMSB(where.accepted))).reservoir.ucw) continue;
+        where.accepted = 1u << i;
+        where.confidence = float(rsConfidence(taken));]])
+
+# ---- temporal --------------------------------------------------------------------------------------------
+
+restir_mutant(current_lights_in_history "p^_prev with this frame's lights (section 5)"
+    restir/di/temporal.glsl di/temporal
+    [[rsLoadHistory(where.pixel), true)]] [[rsLoadHistory(where.pixel), false)]])
+
+restir_mutant(current_camera_in_history "p^_prev at a position rebuilt with this frame's camera (section 5)"
+    passes/bindings.glsl di/temporal
+    [[rsFrame.previousView,
+                           rsFrame.previousExtent, pixel);]]
+    [[rsFrame.view,
+                           rsFrame.previousExtent, pixel);]])
+
+restir_mutant(appeared_light_in_history "a light that has appeared counts as one that the history could have held (section 5)"
+    passes/bindings.glsl di/temporal
+    [[    uvec4 first = rsPreviousLights[i];]]
+    [[    if ((rsPreviousLights[i].w & RS_LIGHT_KIND_MASK) == RS_LIGHT_NONE) return rsLoadLight(id);
+    uvec4 first = rsPreviousLights[i];]])
+
+restir_mutant(growth_without_jacobian "W per area kept while the light grows, |J| = dA_now / dA_then omitted (section 5)"
+    restir/di/temporal.glsl di/temporal
+    [[    return RsNeighbour(rsLoadPreviousSurface(where.pixel), rsLoadHistory(where.pixel), true);]]
+    [[    RsReservoir r = rsLoadHistory(where.pixel);
+    RsPackedLight now = rsLoadLight(r.light), then = rsLoadPreviousLight(r.light);
+    if (rsLightKind(now) == RS_LIGHT_TRIANGLE && rsLightKind(then) == RS_LIGHT_TRIANGLE)
+        r.ucw *= length(cross(then.edge1, then.edge2)) / length(cross(now.edge1, now.edge2));
+    return RsNeighbour(rsLoadPreviousSurface(where.pixel), r, true);]])
+
+restir_mutant(cap_after_s "S is formed before the history is capped (section 2, counting)"
+    restir/di/temporal.glsl di/temporal
+    [[where.confidence = float(rsConfidence(rsLoadHistory(where.pixel)));]]
+    [[where.confidence = float(rsConfidence(rsReservoirs[rsPass.source].at[rsPreviousIndex(where.pixel)]));]])
+
+restir_mutant(confidence_from_weight "a history of large W is trusted less (section 4, never on the outcome)"
+    passes/bindings.glsl di/temporal
+    [[    r.confidence = min(rsConfidence(r), rsFrame.di.maxHistory)]]
+    [[    r.confidence = min(rsConfidence(r), r.ucw > 3.0 ? 1u : rsFrame.di.maxHistory)]])
+
+# ---- shading ---------------------------------------------------------------------------------------------
+
+restir_mutant(final_ray_missing "no V in the shading of samples that were never traced (section 4, None)"
+    restir/di/shade.glsl di/shade
+    [[visibility != RS_VISIBILITY_TRACED && !rsUnoccluded]] [[visibility == RS_VISIBILITY_CACHED && !rsUnoccluded]])
+
+restir_mutant(final_ray_written_back "None's final ray empties the reservoir that the next frame reuses (section 4, None)"
+    passes/di/shade.glsl di/shade
+    [[if (occluded && rsFrame.di.visibility == RS_VISIBILITY_CACHED)]] [[if (occluded)]])

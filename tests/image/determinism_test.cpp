@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
+#include <random>
 #include <string>
 
 namespace tests {
@@ -14,9 +14,8 @@ namespace {
 
 // The file that restir-render writes in `environment`.
 std::string pictureBytes(const std::string& environment, const std::string& settings) {
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() /
-        ("restir_" + std::to_string(std::hash<std::string>{}(environment)) + ".exr");
+    const std::filesystem::path file = std::filesystem::temp_directory_path() /
+                                       ("restir_" + std::to_string(std::random_device{}()) + ".exr");
     const std::string command =
         environment + " '" RESTIR_RENDER "' builtin:cornell --size 64x40 --frames 3 --move 3 --quiet " +
         settings + " --out '" + file.string() + "'";

@@ -43,6 +43,9 @@ struct DiSettings {
     // With Traced visibility and Pairwise or Off weights the last spatial pass shades the weighted mean of all its
     // inputs instead of the one it keeps: as unbiased, no more rays, less noise in colour and shadow.
     bool averageShading = true;
+    // [0, 1] after temporal reuse no pixel's sample brings more than 4 / boilingFilter times the mean of the others of
+    // its 8x8 tile: less boiling and less error, biased towards darkness. 0: off.
+    float boilingFilter = 0;
 };
 
 // What Output::debug shows of the reservoirs that a frame ends with. rgb is a colour to be shown as it is (neither

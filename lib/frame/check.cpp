@@ -55,6 +55,8 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
         return refuse(sink, "restir: DiSettings::normalThreshold is %g, must be in [-1, 1]", double(di.normalThreshold));
     if (!(di.depthThreshold > 0)) return refuse(sink, "restir: DiSettings::depthThreshold is %g, must be > 0",
                                                 double(di.depthThreshold));
+    if (!(di.boilingFilter >= 0 && di.boilingFilter <= 1))
+        return refuse(sink, "restir: DiSettings::boilingFilter is %g, must be in [0, 1]", double(di.boilingFilter));
     if (di.mode > DirectMode::NextEvent) return refuse(sink, "restir: DiSettings::mode is %d", int(di.mode));
     if (di.weights > Weights::Pairwise) return refuse(sink, "restir: DiSettings::weights is %d", int(di.weights));
     if (di.visibility > VisibilityReuse::Traced)

@@ -38,7 +38,8 @@ gpu::RsDiConstants diConstants(const DiSettings& di) noexcept {
             .normalThreshold = di.normalThreshold,
             .depthThreshold = di.depthThreshold,
             .weights = uint32_t(di.weights),
-            .visibility = uint32_t(di.visibility)};
+            .visibility = uint32_t(di.visibility),
+            .boilingFilter = di.boilingFilter};
 }
 
 }   // namespace

@@ -23,9 +23,10 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 7> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 8> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
+                                       {"di.boiling"},
                                        {"di.spatial"},
                                        {"di.shade"},
                                        {"di.debug"},

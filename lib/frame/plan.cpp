@@ -26,7 +26,9 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
     const uint32_t history = input.historyIn;
     uint32_t current = 1 - history;
     add(di::candidates(current));
-    if (di.temporal && input.history) add(di::temporal(history, current));
+    const bool remembers = di.temporal && input.history;
+    if (remembers) add(di::temporal(history, current));
+    if (remembers && di.boilingFilter > 0) add(di::boiling(current));
     const bool averages = di.averageShading && di.spatialPasses > 0 && di.visibility == VisibilityReuse::Traced &&
                           (di.weights == Weights::Pairwise || di.weights == Weights::Off);
     for (uint32_t i = 0; i < di.spatialPasses; ++i) {

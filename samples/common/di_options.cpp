@@ -109,6 +109,7 @@ const std::vector<DiOption>& diOptions() {
                "largest relative difference of their depths (0.1)"),
         onOff("average", &DiSettings::averageShading,
               "shade the mean of all inputs where it can be had (on)"),
+        number("boiling-filter", &DiSettings::boilingFilter, "strength, 0 to 1 (0: off)"),
     };
     return kOptions;
 }

@@ -31,6 +31,7 @@ std::vector<Settings> allSettings() {
         all.push_back(all[i]);
         all.back().debugView = DebugView::Light;
     }
+    all.push_back({.di = {.boilingFilter = 0.5f}});
     all.push_back({.di = {.mode = DirectMode::NextEvent}});
     return all;
 }
@@ -92,6 +93,9 @@ TEST(Plan, OrderOfStages) {
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
     EXPECT_EQ(order(true, {.di = {.weights = Weights::Balance}}),
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
+    EXPECT_EQ(order(true, {.di = {.boilingFilter = 0.5f}}),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.boiling", "di.spatial"}));
+    EXPECT_EQ(order(false, {.di = {.boilingFilter = 0.5f}}), (Names{"surface.pack", "di.candidates", "di.spatial"}));
     EXPECT_EQ(order(true, settingsOf(false, 0, VisibilityReuse::None)),
               (Names{"surface.pack", "di.candidates", "di.shade"}));
     EXPECT_EQ(

@@ -27,7 +27,8 @@ std::string pictureBytes(const std::string& environment, const std::string& sett
     return bytes;
 }
 
-constexpr const char* kSeveralPasses = "--spatial-passes 3 --radius 12";
+// The boiling filter is what workgroups share memory for.
+constexpr const char* kSeveralPasses = "--spatial-passes 3 --radius 12 --boiling-filter 1";
 
 TEST(Determinism, NumberOfThreads) {
     for (const char* settings : {"", kSeveralPasses, "--weights balance --visibility none"}) {

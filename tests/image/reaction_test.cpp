@@ -1,6 +1,6 @@
-// How soon a change shows. Every stored sample is validated in every frame: its target is that of this frame's lights, and
-// a ray of this frame goes to it before it is shaded. So nothing of a light that went out or is hidden outlives it. One
-// light is red and the other blue, so each colour tells of one light.
+// How soon a change shows. Every stored sample is validated in every frame: its target is that of this
+// frame's lights, and a ray of this frame goes to it before it is shaded. So nothing of a light that went out
+// or is hidden outlives it. One light is red and the other blue, so each colour tells of one light.
 #include <gtest/gtest.h>
 
 #include "image/host_view.h"
@@ -45,12 +45,13 @@ struct Combination {
 };
 std::vector<Combination> combinations() {
     std::vector<Combination> all;
-    for (auto [seen, visibility] : {std::pair("none", VisibilityReuse::None), std::pair("cached", VisibilityReuse::Cached),
-                                    std::pair("traced", VisibilityReuse::Traced)}) {
+    for (auto [seen, visibility] :
+         {std::pair("none", VisibilityReuse::None), std::pair("cached", VisibilityReuse::Cached),
+          std::pair("traced", VisibilityReuse::Traced)}) {
         for (Weights weights : {Weights::Off, Weights::Basic, Weights::Balance, Weights::Pairwise}) {
             for (uint32_t passes : {0u, 1u}) {
-                Combination c{std::string(seen) + ", weights " + std::to_string(int(weights)) + ", spatial passes " +
-                                  std::to_string(passes),
+                Combination c{std::string(seen) + ", weights " + std::to_string(int(weights)) +
+                                  ", spatial passes " + std::to_string(passes),
                               {}};
                 c.settings.di.visibility = visibility;
                 c.settings.di.weights = weights;
@@ -93,10 +94,13 @@ protected:
         uint32_t pixels = 0;
         for (uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) {
             glm::dvec3 point;
-            if (!planePoint(pose, kExtent, glm::dvec2(i % kExtent.width, i / kExtent.width) + 0.5, point)) continue;
+            if (!planePoint(pose, kExtent, glm::dvec2(i % kExtent.width, i / kExtent.width) + 0.5, point))
+                continue;
             const glm::dvec3 d = glm::dvec3(kRedPosition) - point;
             const glm::dvec3 at = point + d * (double(kBlockerHeight) / d.y);
-            if (std::abs(at.x) > 0.98 * double(kBlockerHalf) || std::abs(at.z + 0.2) > 0.98 * double(kBlockerHalf)) continue;
+            if (std::abs(at.x) > 0.98 * double(kBlockerHalf) ||
+                std::abs(at.z + 0.2) > 0.98 * double(kBlockerHalf))
+                continue;
             sum += double(image.rgb[3 * i + channel]);
             ++pixels;
         }
@@ -123,8 +127,10 @@ TEST_F(Reaction, LightThatGoesOutIsGoneAtOnce) {
             samples::FloatImage image;
             for (uint32_t i = 0; i < kBefore; ++i) image = frame(i, 1, false, c.settings);
             EXPECT_GT(largestOf(image, 0), 1);
-            if (stays) host.upload(std::array{bulb(0, kRedPosition, {0, 0, 0}), kBlue});
-            else host.upload(std::array{kBlue});
+            if (stays)
+                host.upload(std::array{bulb(0, kRedPosition, {0, 0, 0}), kBlue});
+            else
+                host.upload(std::array{kBlue});
             EXPECT_EQ(largestOf(frame(kBefore, 1, false, c.settings), 0), 0);
         }
     }
@@ -141,8 +147,8 @@ TEST_F(Reaction, LightThatIsHiddenIsGoneAtOnce) {
     }
 }
 
-// What was hidden is another matter: no stored sample has it. `None` never killed any, so nothing is missing; with the other
-// two the history counts as if it could have held the light, and fades in as it is replaced.
+// What was hidden is another matter: no stored sample has it. `None` never killed any, so nothing is missing;
+// with the other two the history counts as if it could have held the light, and fades in as it is replaced.
 TEST_F(Reaction, LightThatIsBaredComesBack) {
     host.upload(std::array{kRed});
     restir::Settings settings;
@@ -155,7 +161,8 @@ TEST_F(Reaction, LightThatIsBaredComesBack) {
     };
     const double all = bare(VisibilityReuse::None, 40);
     EXPECT_NEAR(bare(VisibilityReuse::None, 1) / all, 1, 1e-3);
-    for (auto [visibility, first] : {std::pair(VisibilityReuse::Cached, 0.15), std::pair(VisibilityReuse::Traced, 0.27)}) {
+    for (auto [visibility, first] :
+         {std::pair(VisibilityReuse::Cached, 0.15), std::pair(VisibilityReuse::Traced, 0.27)}) {
         EXPECT_NEAR(bare(visibility, 1) / all, first, 0.05);
         EXPECT_NEAR(bare(visibility, 40) / all, 1, 0.02);
     }

@@ -99,6 +99,8 @@ const BadFrame kBadFrames[] = {
     {"radius", [](FrameInput&, Settings& s) { s.di.radius = kNan; }},
     {"normalThreshold", [](FrameInput&, Settings& s) { s.di.normalThreshold = 1.1f; }},
     {"depthThreshold", [](FrameInput&, Settings& s) { s.di.depthThreshold = kNan; }},
+    {"boilingFilter", [](FrameInput&, Settings& s) { s.di.boilingFilter = kNan; }},
+    {"boilingFilter", [](FrameInput&, Settings& s) { s.di.boilingFilter = 1.1f; }},
     {"weights", [](FrameInput&, Settings& s) { s.di.weights = restir::Weights(4); }},
     {"visibility", [](FrameInput&, Settings& s) { s.di.visibility = restir::VisibilityReuse(3); }},
 };

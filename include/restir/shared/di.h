@@ -22,6 +22,7 @@ struct RsDiConstants {
     float depthThreshold;      // relative
     uint weights;              // RS_WEIGHTS_*
     uint visibility;           // RS_VISIBILITY_*
+    float boilingFilter;       // [0, 1]
 };
 
 RS_SHARED_END

@@ -38,6 +38,7 @@ FILL fillDi(RS_INOUT(RsDiConstants) s, int b) {
     s.depthThreshold = F(b + 6);
     s.weights = U(b + 7);
     s.visibility = U(b + 8);
+    s.boilingFilter = F(b + 9);
 }
 
 FILL fillView(RS_INOUT(RsView) s, int b) {

@@ -21,6 +21,11 @@ struct FrameInput {
     Camera camera;
     GBuffer gbuffer;
     VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;   // required
+    // The structure of this Session's last recorded frame, alive and with that frame's geometry in it, which makes
+    // VisibilityReuse::Traced unbiased while geometry moves. Null, or `tlas` again: nothing moved, or it is biased
+    // while it does. Its instanceCustomIndex count the same records of Scene, whose current contents (alpha test) serve
+    // both.
+    VkAccelerationStructureKHR previousTlas = VK_NULL_HANDLE;
     const Scene* scene = nullptr;                       // required with the standard bridge
     VkDescriptorSet bridgeSet = VK_NULL_HANDLE;         // required with ContextDesc::bridgeSetLayout
     const LightTable* lights = nullptr;                 // required

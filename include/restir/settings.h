@@ -17,8 +17,8 @@ enum class VisibilityReuse : uint8_t {
     None,     // no sample is killed, one ray in the final shading (and those of bsdfCandidates): unbiased, noisier
               // in shadow
     Cached,   // occluded samples are killed, weights ignore it: fast, biased towards darkness
-    Traced,   // weights trace each neighbour's view of a sample: unbiased while geometry, emission and alpha
-              // textures stand still (last frame's visibility is traced in this frame's scene)
+    Traced,   // weights trace each neighbour's view of a sample: unbiased while emission and alpha textures stand
+              // still, and geometry too where the host gives no FrameInput::previousTlas
 };
 
 enum class DirectMode : uint8_t {

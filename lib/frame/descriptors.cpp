@@ -24,10 +24,10 @@ public:
         ++count_;
     }
     void accelerationStructure(uint32_t binding, const VkAccelerationStructureKHR& structure) noexcept {
-        structure_ = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR,
-                      .accelerationStructureCount = 1,
-                      .pAccelerationStructures = &structure};
-        add(binding, 0).pNext = &structure_;
+        structures_[count_] = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR,
+                               .accelerationStructureCount = 1,
+                               .pAccelerationStructures = &structure};
+        add(binding, 0).pNext = &structures_[count_];
         ++count_;
     }
     void flush(const Device& device) const noexcept {
@@ -51,7 +51,7 @@ private:
     VkWriteDescriptorSet writes_[kMax];
     VkDescriptorBufferInfo buffers_[kMax];
     VkDescriptorImageInfo images_[kMax];
-    VkWriteDescriptorSetAccelerationStructureKHR structure_{};
+    VkWriteDescriptorSetAccelerationStructureKHR structures_[kMax];
 };
 
 }   // namespace
@@ -73,6 +73,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.buffer(RS_BIND_PREVIOUS_LIGHTS, previousLights);
     w.buffer(RS_BIND_ALIAS, lights.alias());
     w.accelerationStructure(RS_BIND_TLAS, frame.tlas);
+    w.accelerationStructure(RS_BIND_PREVIOUS_TLAS, frame.previousTlas ? frame.previousTlas : frame.tlas);
     w.buffer(RS_BIND_COUNTERS, s.buffer(Counters));
     w.buffer(RS_BIND_RAY_LOG, s.buffer(RayLog));
     const GBuffer& g = frame.gbuffer;

@@ -23,6 +23,7 @@ layout(set = RS_SET, binding = RS_BIND_LIGHTS, scalar) readonly buffer RsLights 
 layout(set = RS_SET, binding = RS_BIND_PREVIOUS_LIGHTS, scalar) readonly buffer RsOldLights { uvec4 rsPreviousLights[]; };
 layout(set = RS_SET, binding = RS_BIND_ALIAS, scalar) readonly buffer RsAlias { RsAliasEntry rsAlias[]; };
 layout(set = RS_SET, binding = RS_BIND_TLAS) uniform accelerationStructureEXT rsTlas;
+layout(set = RS_SET, binding = RS_BIND_PREVIOUS_TLAS) uniform accelerationStructureEXT rsPreviousTlas;
 layout(set = RS_SET, binding = RS_BIND_COUNTERS, scalar) buffer RsCounterBlock { RsCounters rsCounters; };
 layout(set = RS_SET, binding = RS_BIND_RAY_LOG, scalar) buffer RsRayLog { RsLoggedRay rsRayLog[]; };
 

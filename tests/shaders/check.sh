@@ -1,7 +1,7 @@
 #!/bin/sh
 # check.sh GLSLANG SPIRV_VAL SOURCE OUT
 # Every pass is valid SPIR-V, and every file of the GLSL library but the bridge, which binds, compiles on its own: the only
-# name it asks of its includer is the scene to trace.
+# names it asks of its includer are the scenes to trace.
 set -eu
 glslang=$1 spirv_val=$2 source=$3 out=$4
 mkdir -p "$out"
@@ -28,6 +28,7 @@ for file in $(find restir -name '*.glsl' ! -path 'restir/bridge/*' | sort); do
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_ray_query : require
 layout(set = 0, binding = 0) uniform accelerationStructureEXT rsTlas;
+layout(set = 0, binding = 1) uniform accelerationStructureEXT rsPreviousTlas;
 #include "$file"
 layout(local_size_x = 8, local_size_y = 8) in;
 void main() {}

@@ -91,18 +91,19 @@ RS_SHARED_END
 #define RS_BIND_PREVIOUS_LIGHTS 8
 #define RS_BIND_ALIAS 9
 #define RS_BIND_TLAS 10
-#define RS_BIND_COUNTERS 11
-#define RS_BIND_RAY_LOG 12
-#define RS_BIND_DEPTH 13
-#define RS_BIND_NORMAL 14
-#define RS_BIND_GEOMETRIC_NORMAL 15
-#define RS_BIND_BASE_COLOR 16
-#define RS_BIND_MATERIAL 17
-#define RS_BIND_MOTION 18
-#define RS_BIND_EMISSION 19
-#define RS_BIND_RADIANCE 20
-#define RS_BIND_DEBUG 21             // from RADIANCE on: storage images
-#define RS_BIND_COUNT 22
+#define RS_BIND_PREVIOUS_TLAS 11       // the current one where the host gives none
+#define RS_BIND_COUNTERS 12
+#define RS_BIND_RAY_LOG 13
+#define RS_BIND_DEPTH 14
+#define RS_BIND_NORMAL 15
+#define RS_BIND_GEOMETRIC_NORMAL 16
+#define RS_BIND_BASE_COLOR 17
+#define RS_BIND_MATERIAL 18
+#define RS_BIND_MOTION 19
+#define RS_BIND_EMISSION 20
+#define RS_BIND_RADIANCE 21
+#define RS_BIND_DEBUG 22             // from RADIANCE on: storage images
+#define RS_BIND_COUNT 23
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

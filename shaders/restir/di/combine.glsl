@@ -20,7 +20,7 @@
 struct RsNeighbour {
     RsSurface surface;
     RsReservoir reservoir;
-    bool previous;   // its target uses last frame's lights
+    bool previous;   // its target uses last frame's lights and scene
 };
 
 // Where to look; made by a stage (temporal, spatial), read back by its rsLoadNeighbour.
@@ -139,7 +139,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
         RsDirect direct = rsDirect(at, light, sampled.uv);
         bool itsOwn = !sampling && !pairwise && sums.selection.source == int(i);
         bool counts = direct.target > 0.0;
-        if (counts && traced && !itsOwn) counts = rsUnoccluded(at, direct.incident);
+        if (counts && traced && !itsOwn) counts = rsUnoccluded(at, direct.incident, previous);
 
         float c = float(rsConfidence(n.reservoir));
         float there = counts ? direct.target : 0.0;

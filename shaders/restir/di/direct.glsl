@@ -32,9 +32,11 @@ RsDirect rsDirect(RsSurface s, RsPackedLight light, uint uv) {
     return RsDirect(f, target, incident);
 }
 
-bool rsUnoccluded(RsSurface s, RsIncident incident) {
+// `previous`: a surface and a light of last frame, in last frame's scene.
+bool rsUnoccluded(RsSurface s, RsIncident incident, bool previous) {
     float reach = incident.distance >= RS_FAR ? RS_FAR : incident.distance * RS_SHADOW_LENGTH;
-    return !rsOccluded(rsRayOrigin(s), incident.direction, reach);
+    return !rsOccluded(rsRayOrigin(s), incident.direction, reach, previous);
 }
+bool rsUnoccluded(RsSurface s, RsIncident incident) { return rsUnoccluded(s, incident, false); }
 
 #endif

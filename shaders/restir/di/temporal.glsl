@@ -1,6 +1,6 @@
 // Temporal reuse: the canonical is this frame's fresh reservoir, the neighbour last frame's final one at the
 // back-projected pixel, its confidence capped before any weight is formed. Its domain is the previous frame: last
-// frame's surface, camera and lights.
+// frame's surface, camera, lights and acceleration structure.
 #ifndef RESTIR_DI_TEMPORAL_GLSL
 #define RESTIR_DI_TEMPORAL_GLSL
 #include "restir/di/combine.glsl"

@@ -9,8 +9,8 @@ struct RsHit {
     vec2 barycentrics;   // of vertices 1 and 2
 };
 
-// Anything between origin and origin + tmax * direction?
-bool rsOccluded(vec3 origin, vec3 direction, float tmax);
+// Anything between origin and origin + tmax * direction? `previous`: in last frame's structure.
+bool rsOccluded(vec3 origin, vec3 direction, float tmax, bool previous);
 RsHit rsClosestHit(vec3 origin, vec3 direction, float tmax);
 
 // Whether a candidate hit on geometry without the opaque flag stops a ray (alpha-tested shadows).

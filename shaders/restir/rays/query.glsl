@@ -1,11 +1,15 @@
-// Ray backend: VK_KHR_ray_query. The includer declares `accelerationStructureEXT rsTlas`.
+// Ray backend: VK_KHR_ray_query. The includer declares `accelerationStructureEXT rsTlas` and
+// `rsPreviousTlas`, last frame's. Only the start of a traversal names one: the traversal is there once per function.
 #ifndef RESTIR_RAYS_QUERY_GLSL
 #define RESTIR_RAYS_QUERY_GLSL
 #include "restir/rays/hit.glsl"
 
-RsHit rsTraceQuery(vec3 origin, vec3 direction, float tmax, uint flags) {
+RsHit rsTraceQuery(vec3 origin, vec3 direction, float tmax, uint flags, bool previous) {
     rayQueryEXT query;
-    rayQueryInitializeEXT(query, rsTlas, flags, 0xffu, origin, 0.0, direction, tmax);
+    if (previous)
+        rayQueryInitializeEXT(query, rsPreviousTlas, flags, 0xffu, origin, 0.0, direction, tmax);
+    else
+        rayQueryInitializeEXT(query, rsTlas, flags, 0xffu, origin, 0.0, direction, tmax);
     while (rayQueryProceedEXT(query)) {
         if (rayQueryGetIntersectionTypeEXT(query, false) != gl_RayQueryCandidateIntersectionTriangleEXT) continue;
         uint record = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) +
@@ -24,14 +28,14 @@ RsHit rsTraceQuery(vec3 origin, vec3 direction, float tmax, uint flags) {
                  rayQueryGetIntersectionBarycentricsEXT(query, true));
 }
 
-bool rsOccluded(vec3 origin, vec3 direction, float tmax) {
+bool rsOccluded(vec3 origin, vec3 direction, float tmax, bool previous) {
     rsOnRay(origin, direction, tmax, false);
-    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsTerminateOnFirstHitEXT).t >= 0.0;
+    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsTerminateOnFirstHitEXT, previous).t >= 0.0;
 }
 
 RsHit rsClosestHit(vec3 origin, vec3 direction, float tmax) {
     rsOnRay(origin, direction, tmax, true);
-    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsNoneEXT);
+    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsNoneEXT, false);
 }
 
 #endif

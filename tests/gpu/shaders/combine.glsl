@@ -77,7 +77,7 @@ bool sees(vec3 origin, uint light) {
         if (distance(surfaces[i].position, origin) < distance(surfaces[from].position, origin)) from = i;
     return (surfaces[from].visible >> light & 1u) != 0u;
 }
-bool rsOccluded(vec3 origin, vec3 direction, float tmax) {
+bool rsOccluded(vec3 origin, vec3 direction, float tmax, bool previous) {
     vec3 end = origin + direction * tmax;
     uint light = 0u;
     for (uint i = 1u; i < lightCount; ++i)

@@ -71,7 +71,7 @@ restir::SessionDesc sessionOf(const Options& options) {
 
 class Bench {
 public:
-    Bench(samples::Device& device, const samples::GpuScene& scene, const samples::View& view, const Options& options)
+    Bench(samples::Device& device, samples::GpuScene& scene, const samples::View& view, const Options& options)
         : device_(device),
           scene_(scene),
           options_(options),
@@ -151,7 +151,7 @@ private:
     }
 
     samples::Device& device_;
-    const samples::GpuScene& scene_;
+    samples::GpuScene& scene_;
     Options options_;
     samples::View view_;
     samples::Renderer renderer_;
@@ -162,7 +162,7 @@ void run(const Options& options) {
     samples::SceneData data = samples::loadScene(options.scene, warnings);
     const samples::View view = data.views.empty() ? samples::frameScene(data) : data.views[0];
     samples::Device device;
-    const samples::GpuScene scene(device, std::move(data));
+    samples::GpuScene scene(device, std::move(data));
     std::printf("%s, %ux%u, %zu lights, %s\n", options.scene.c_str(), options.width, options.height,
                 scene.lights().size(), device.driver().c_str());
     Bench(device, scene, view, options).run();

@@ -63,6 +63,21 @@ Build meshBuild(const Device& device, const std::vector<TriangleRange>& mesh) {
     return build;
 }
 
+Build topBuild(const Device& device, VkDeviceAddress list, uint32_t instances) {
+    Build build;
+    VkAccelerationStructureGeometryKHR geometry{
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
+        .geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR,
+        .geometry = {}};
+    geometry.geometry.instances = {
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR,
+        .data = {.deviceAddress = list}};
+    build.geometries.push_back(geometry);
+    build.ranges.push_back({.primitiveCount = instances});
+    build.finish(device, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR);
+    return build;
+}
+
 VkDeviceSize aligned(VkDeviceSize size) {
     return (size + kStorageAlignment - 1) / kStorageAlignment * kStorageAlignment;
 }
@@ -74,13 +89,61 @@ Buffer makeStorage(const Device& device, VkDeviceSize size) {
                       VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT}};
 }
 
+Buffer makeScratch(const Device& device, VkDeviceSize size) {
+    return {device,
+            {.size = size + device.scratchAlignment(),
+             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT}};
+}
+
+VkDeviceAddress scratchAddress(const Device& device, const Buffer& scratch) {
+    const VkDeviceAddress alignment = device.scratchAlignment();
+    return (scratch.address() + alignment - 1) / alignment * alignment;
+}
+
+VkAccelerationStructureKHR makeStructure(const Device& device,
+                                         const VkAccelerationStructureCreateInfoKHR& info) {
+    VkAccelerationStructureKHR result = VK_NULL_HANDLE;
+    check(device.rays().createAccelerationStructure(device.handle(), &info, nullptr, &result),
+          "vkCreateAccelerationStructureKHR");
+    return result;
+}
+
 }   // namespace
+
+TopLevel::TopLevel(const Device& device, uint32_t instances) : device_(&device), instances_(instances) {
+    const Build build = topBuild(device, 0, instances);
+    storage_ = makeStorage(device, build.sizes.accelerationStructureSize);
+    scratch_ = makeScratch(device, build.sizes.buildScratchSize);
+    handle_ = makeStructure(device, {.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR,
+                                     .buffer = storage_.handle(),
+                                     .size = build.sizes.accelerationStructureSize,
+                                     .type = VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR});
+}
+
+TopLevel::~TopLevel() {
+    if (device_) device_->rays().destroyAccelerationStructure(device_->handle(), handle_, nullptr);
+}
+
+void TopLevel::swap(TopLevel& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(instances_, other.instances_);
+    std::swap(storage_, other.storage_);
+    std::swap(scratch_, other.scratch_);
+    std::swap(handle_, other.handle_);
+}
+
+void TopLevel::record(VkCommandBuffer cmd, VkDeviceAddress list) const {
+    Build build = topBuild(*device_, list, instances_);
+    build.info.dstAccelerationStructure = handle_;
+    build.info.scratchData.deviceAddress = scratchAddress(*device_, scratch_);
+    build.record(*device_, cmd);
+}
 
 Acceleration::Acceleration(const Device& device, const std::vector<std::vector<TriangleRange>>& meshes,
                            std::vector<VkAccelerationStructureInstanceKHR> instances)
-    : device_(&device) {
+    : device_(&device), instances_(std::move(instances)) {
     buildMeshes(meshes);
-    buildTop(std::move(instances));
+    buildTop();
 }
 
 Acceleration::~Acceleration() {
@@ -88,40 +151,14 @@ Acceleration::~Acceleration() {
     for (VkAccelerationStructureKHR mesh : meshes_) {
         device_->rays().destroyAccelerationStructure(device_->handle(), mesh, nullptr);
     }
-    device_->rays().destroyAccelerationStructure(device_->handle(), top_, nullptr);
 }
 
 void Acceleration::swap(Acceleration& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(meshStorage_, other.meshStorage_);
-    std::swap(topStorage_, other.topStorage_);
     std::swap(meshes_, other.meshes_);
+    std::swap(instances_, other.instances_);
     std::swap(top_, other.top_);
-}
-
-VkAccelerationStructureKHR Acceleration::make(const Buffer& storage, VkDeviceSize offset, VkDeviceSize size,
-                                              VkAccelerationStructureTypeKHR type) const {
-    const VkAccelerationStructureCreateInfoKHR info{
-        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR,
-        .buffer = storage.handle(),
-        .offset = offset,
-        .size = size,
-        .type = type};
-    VkAccelerationStructureKHR result = VK_NULL_HANDLE;
-    check(device_->rays().createAccelerationStructure(device_->handle(), &info, nullptr, &result),
-          "vkCreateAccelerationStructureKHR");
-    return result;
-}
-
-Buffer Acceleration::makeScratch(VkDeviceSize size) const {
-    return {*device_,
-            {.size = size + device_->scratchAlignment(),
-             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT}};
-}
-
-VkDeviceAddress Acceleration::scratchAddress(const Buffer& scratch) const {
-    const VkDeviceAddress alignment = device_->scratchAlignment();
-    return (scratch.address() + alignment - 1) / alignment * alignment;
 }
 
 void Acceleration::buildMeshes(const std::vector<std::vector<TriangleRange>>& meshes) {
@@ -134,14 +171,19 @@ void Acceleration::buildMeshes(const std::vector<std::vector<TriangleRange>>& me
         scratchSize = std::max(scratchSize, builds.back().sizes.buildScratchSize);
     }
     meshStorage_ = makeStorage(*device_, storageSize);
-    const Buffer scratch = makeScratch(scratchSize);
+    const Buffer scratch = makeScratch(*device_, scratchSize);
     VkDeviceSize offset = 0;
     for (Build& build : builds) {
         const VkDeviceSize size = build.sizes.accelerationStructureSize;
-        meshes_.push_back(make(meshStorage_, offset, size, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR));
+        meshes_.push_back(
+            makeStructure(*device_, {.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR,
+                                     .buffer = meshStorage_.handle(),
+                                     .offset = offset,
+                                     .size = size,
+                                     .type = VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR}));
         offset += aligned(size);
         build.info.dstAccelerationStructure = meshes_.back();
-        build.info.scratchData.deviceAddress = scratchAddress(scratch);
+        build.info.scratchData.deviceAddress = scratchAddress(*device_, scratch);
     }
     device_->submitAndWait([&](VkCommandBuffer cmd) {
         for (const Build& build : builds) {
@@ -151,40 +193,22 @@ void Acceleration::buildMeshes(const std::vector<std::vector<TriangleRange>>& me
     });
 }
 
-void Acceleration::buildTop(std::vector<VkAccelerationStructureInstanceKHR> instances) {
-    for (VkAccelerationStructureInstanceKHR& instance : instances) {
+void Acceleration::buildTop() {
+    for (VkAccelerationStructureInstanceKHR& instance : instances_) {
         const VkAccelerationStructureDeviceAddressInfoKHR info{
             .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR,
             .accelerationStructure = meshes_[instance.accelerationStructureReference]};
         instance.accelerationStructureReference = device_->rays().deviceAddress(device_->handle(), &info);
     }
-    const VkDeviceSize bytes = instances.size() * sizeof(VkAccelerationStructureInstanceKHR);
+    const VkDeviceSize bytes = instances_.size() * sizeof(VkAccelerationStructureInstanceKHR);
     const Buffer list(*device_,
                       {.size = bytes,
                        .usage = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
                                 VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
                        .memory = MemoryKind::Upload});
-    std::memcpy(list.mapped(), instances.data(), bytes);
-
-    Build build;
-    VkAccelerationStructureGeometryKHR geometry{
-        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
-        .geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR,
-        .geometry = {}};
-    geometry.geometry.instances = {
-        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR,
-        .data = {.deviceAddress = list.address()}};
-    build.geometries.push_back(geometry);
-    build.ranges.push_back({.primitiveCount = static_cast<uint32_t>(instances.size())});
-    build.finish(*device_, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR);
-
-    const VkDeviceSize size = build.sizes.accelerationStructureSize;
-    topStorage_ = makeStorage(*device_, size);
-    top_ = make(topStorage_, 0, size, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR);
-    const Buffer scratch = makeScratch(build.sizes.buildScratchSize);
-    build.info.dstAccelerationStructure = top_;
-    build.info.scratchData.deviceAddress = scratchAddress(scratch);
-    device_->submitAndWait([&](VkCommandBuffer cmd) { build.record(*device_, cmd); });
+    std::memcpy(list.mapped(), instances_.data(), bytes);
+    top_ = TopLevel(*device_, static_cast<uint32_t>(instances_.size()));
+    device_->submitAndWait([&](VkCommandBuffer cmd) { top_.record(cmd, list.address()); });
 }
 
 }   // namespace samples

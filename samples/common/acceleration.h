@@ -1,4 +1,4 @@
-// Acceleration structures: one bottom level for each mesh, one top level.
+// Acceleration structures: one bottom level for each mesh, top levels of instances.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,32 @@ struct TriangleRange {
     VkDeviceAddress positions = 0, indices = 0;
     uint32_t vertexCount = 0, triangleCount = 0;
     bool opaque = true;
+};
+
+// One top level, built on the GPU from a list of VkAccelerationStructureInstanceKHR.
+class TopLevel {
+public:
+    TopLevel() = default;
+    TopLevel(const Device& device, uint32_t instances);
+    ~TopLevel();
+    TopLevel(TopLevel&& other) noexcept { swap(other); }
+    TopLevel& operator=(TopLevel&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+
+    VkAccelerationStructureKHR handle() const { return handle_; }
+    VkDeviceSize bytes() const { return storage_.size(); }
+    // Without barriers. `list` is an address in memory with the build-input usage, 16-byte aligned.
+    void record(VkCommandBuffer cmd, VkDeviceAddress list) const;
+
+private:
+    void swap(TopLevel& other) noexcept;
+
+    const Device* device_ = nullptr;
+    uint32_t instances_ = 0;
+    Buffer storage_, scratch_;
+    VkAccelerationStructureKHR handle_ = VK_NULL_HANDLE;
 };
 
 class Acceleration {
@@ -26,22 +52,22 @@ public:
         return *this;
     }
 
-    VkAccelerationStructureKHR top() const { return top_; }
-    VkDeviceSize bytes() const { return meshStorage_.size() + topStorage_.size(); }
+    VkAccelerationStructureKHR top() const { return top_.handle(); }
+    const TopLevel& topLevel() const { return top_; }
+    // As top() was built from it: with the addresses of the meshes.
+    const std::vector<VkAccelerationStructureInstanceKHR>& instances() const { return instances_; }
+    VkDeviceSize bytes() const { return meshStorage_.size() + top_.bytes(); }
 
 private:
     void buildMeshes(const std::vector<std::vector<TriangleRange>>& meshes);
-    void buildTop(std::vector<VkAccelerationStructureInstanceKHR> instances);
-    VkAccelerationStructureKHR make(const Buffer& storage, VkDeviceSize offset, VkDeviceSize size,
-                                    VkAccelerationStructureTypeKHR type) const;
-    Buffer makeScratch(VkDeviceSize size) const;
-    VkDeviceAddress scratchAddress(const Buffer& scratch) const;
+    void buildTop();
     void swap(Acceleration& other) noexcept;
 
     const Device* device_ = nullptr;
-    Buffer meshStorage_, topStorage_;
+    Buffer meshStorage_;
     std::vector<VkAccelerationStructureKHR> meshes_;
-    VkAccelerationStructureKHR top_ = VK_NULL_HANDLE;
+    std::vector<VkAccelerationStructureInstanceKHR> instances_;
+    TopLevel top_;
 };
 
 }   // namespace samples

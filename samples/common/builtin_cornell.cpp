@@ -77,7 +77,6 @@ void addLights(SceneData& scene) {
     constexpr std::array<uint32_t, kColorCount> kColors = {0xffb45a, 0x5aa0ff, 0xff5a78, 0x6effb4, 0xffe6b4,
                                                            0xb46eff, 0xff8232, 0x46e6ff, 0xfffae6, 0xe65aff};
     Rng rng(7);
-    std::vector<Geometry> geometries;
     for (uint32_t color = 0; color < kColorCount; ++color) {
         Geometry geometry{.material = addMaterial(scene, {.color = glm::vec3{0.1f},
                                                           .roughness = 1,
@@ -86,9 +85,43 @@ void addLights(SceneData& scene) {
                                                           .doubleSided = color % 2 == 0})};
         for (uint32_t i = 0; i < kTriangleCount / kColorCount; ++i)
             addTriangle(geometry, triangleAround(rng, floatingPoint(rng)));
-        geometries.push_back(std::move(geometry));
+        addInstance(scene, addMesh(scene, {std::move(geometry)}));
     }
-    addInstance(scene, addMesh(scene, std::move(geometries)));
+}
+
+// Instances, in the order in which makeCornell adds them, and the first of the lights' materials.
+enum : uint32_t { kRoom, kTallBlock, kShortBlock, kFirstLight };
+constexpr uint32_t kFirstLightMaterial = 5;
+
+// Each colour drifts about, turns and swells, by up to 4 cm a frame: less than the 20 cm that everything
+// keeps from everything else.
+void moveLights(float time, SceneState& state) {
+    for (uint32_t color = 0; color < kColorCount; ++color) {
+        const float phase = 0.7f * time + 2.1f * static_cast<float>(color);
+        const glm::vec3 drift = 0.06f * glm::vec3{std::sin(phase), std::cos(phase), std::sin(2 * phase)};
+        const glm::vec3 centre{0, kHeight / 2, 0};
+        state.worldFromObject[kFirstLight + color] =
+            place(centre + drift, 0.03f * std::sin(phase), 1 + 0.04f * std::cos(phase)) * place(-centre);
+    }
+}
+
+// Every three frames another third of the colours is off; the others pulse.
+void switchLights(float time, SceneState& state) {
+    const int step = static_cast<int>(std::floor(time / 3));
+    for (uint32_t color = 0; color < kColorCount; ++color) {
+        const bool off = (step + static_cast<int>(color) + 3000) % 3 == 0;
+        const float pulse = 1 + 0.5f * std::sin(1.3f * time + static_cast<float>(color));
+        state.emission[kFirstLightMaterial + color] = off ? 0.0f : pulse;
+    }
+}
+
+// The tall block slides and turns, the short one hops.
+void moveBlocks(float time, SceneState& state) {
+    const glm::vec3 slide{0.12f * std::sin(0.5f * time), 0, 0};
+    const glm::vec3 hop{0, 0.1f * std::abs(std::sin(0.4f * time)), 0};
+    state.worldFromObject[kTallBlock] =
+        place(kTall.centre + slide, kTall.turn + 0.1f * std::sin(0.7f * time));
+    state.worldFromObject[kShortBlock] = place(kShort.centre + hop, kShort.turn);
 }
 
 }   // namespace
@@ -101,6 +134,7 @@ SceneData makeCornell() {
     addLights(scene);
     scene.views.push_back(
         {.eye = {0, 1.3f, kFront - 0.05f}, .target = {0, 1.2f, 0}, .verticalFov = 1.0f, .name = "room"});
+    scene.animations = {{"lights", moveLights}, {"switching", switchLights}, {"objects", moveBlocks}};
     return scene;
 }
 

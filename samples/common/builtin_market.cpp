@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "builtin.h"
 #include "market.h"
@@ -93,6 +96,50 @@ void addHouses(SceneData& scene, const Materials& m) {
 
 }   // namespace
 
+// Instances of meshes with a geometry of one of these materials.
+std::vector<uint32_t> instancesWith(const SceneData& scene, std::span<const uint32_t> materials) {
+    std::vector<uint32_t> found;
+    for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const auto& geometries = scene.meshes[scene.instances[i].mesh].geometries;
+        const auto has = [&](const Geometry& geometry) {
+            return std::find(materials.begin(), materials.end(), geometry.material) != materials.end();
+        };
+        if (std::any_of(geometries.begin(), geometries.end(), has)) found.push_back(i);
+    }
+    return found;
+}
+
+// About an axis along the street through `hook`, in the instance's own space.
+void swing(glm::mat4& worldFromObject, float hook, float angle) {
+    const glm::vec3 world{worldFromObject * glm::vec4{0, hook, 0, 1}};
+    const glm::mat4 turn = glm::rotate(glm::mat4{1}, angle, glm::vec3{0, 0, 1});
+    worldFromObject = place(world) * turn * place(-world) * worldFromObject;
+}
+
+// A breeze goes down the street: bulbs and lanterns swing, two signs blink, the lamps flicker, and a potted
+// shrub is pushed across the pavement.
+Motion breeze(const SceneData& scene, const Materials& m) {
+    const std::vector<uint32_t> bulbs = instancesWith(scene, m.bulbs),
+                                lanterns = instancesWith(scene, m.lanterns);
+    const uint32_t shrub = instancesWith(scene, std::array{m.pot}).front();
+    const std::array<uint32_t, 2> signs = {m.signs[6], m.signs[1]};
+    const uint32_t lamp = m.lamp;
+    return [=](float time, SceneState& state) {
+        const auto wind = [&](uint32_t instance) {
+            const glm::vec4& at = state.worldFromObject[instance][3];
+            return std::sin(0.25f * time + 0.6f * at.z + 0.35f * at.x);
+        };
+        for (const uint32_t i : bulbs) swing(state.worldFromObject[i], 0, 0.5f * wind(i));
+        for (const uint32_t i : lanterns) swing(state.worldFromObject[i], 0.32f, 0.3f * wind(i));
+        for (size_t i = 0; i < signs.size(); ++i) {
+            const int step = static_cast<int>(std::floor(time / 7)) + static_cast<int>(i);
+            state.emission[signs[i]] = step % 2 == 0 ? 1.0f : 0.0f;
+        }
+        state.emission[lamp] = 1 + 0.15f * std::sin(1.7f * time) * std::sin(0.31f * time);
+        state.worldFromObject[shrub][3].x += 0.5f * (1 - std::cos(0.08f * time));
+    };
+}
+
 }   // namespace market
 
 SceneData makeMarket() {
@@ -109,6 +156,7 @@ SceneData makeMarket() {
         {.eye = {0.35f, 1.62f, 16.2f}, .target = {-0.15f, 2.35f, 2}, .verticalFov = 0.86f, .name = "market"},
         {.eye = {0.9f, 1.5f, 6.4f}, .target = {-2.6f, 1.2f, 2.7f}, .verticalFov = 0.8f, .name = "stall"},
         {.eye = {-3.2f, 6.4f, 16.5f}, .target = {0.8f, 2, 0}, .verticalFov = 0.9f, .name = "balcony"}};
+    scene.animations = {{"breeze", market::breeze(scene, materials)}};
     return scene;
 }
 

@@ -23,27 +23,30 @@ FrameLoop::FrameLoop(const Device& device, VkExtent2D extent)
 }
 
 Frame FrameLoop::describe(const Sequence& sequence, uint32_t index) const {
-    const auto poseAt = [&](uint32_t i) {
-        const uint32_t left = sequence.frames - 1 - i;
-        if (left == 0 || sequence.orbitDegrees == 0) return makePose(sequence.view, extent_);
-        return makePose(orbit(sequence.view, -sequence.orbitDegrees * static_cast<float>(left)), extent_);
+    const auto timeOf = [&](uint32_t i) { return -static_cast<float>(sequence.frames - 1 - i); };
+    const auto poseAt = [&](float time) {
+        if (time == 0 || sequence.orbitDegrees == 0) return makePose(sequence.view, extent_);
+        return makePose(orbit(sequence.view, sequence.orbitDegrees * time), extent_);
     };
+    const float time = timeOf(index), previous = timeOf(index == 0 ? 0 : index - 1);
     return {.index = index,
             .slot = index % FrameSlots::kCount,
             .last = index + 1 == sequence.frames,
             .seed = sequence.seed,
-            .pose = poseAt(index),
-            .previous = poseAt(index == 0 ? 0 : index - 1),
-            .jitter = sequence.accumulate ? jitterOf(index, sequence.seed) : glm::vec2(0)};
+            .time = time,
+            .previousTime = previous,
+            .pose = poseAt(time),
+            .previous = poseAt(previous),
+            .jitter = sequence.jitters() ? jitterOf(index, sequence.seed) : glm::vec2(0)};
 }
 
-FloatImage FrameLoop::run(const Sequence& sequence, const FrameCallbacks& callbacks) {
+FloatImage FrameLoop::run(const Sequence& sequence, const FrameCallbacks& callbacks, uint32_t first) {
     sum_.assign(size_t{extent_.width} * extent_.height * 3, 0.0);
     summed_ = 0;
     std::vector<Frame> running(FrameSlots::kCount);
-    for (uint32_t i = 0; i < sequence.frames + FrameSlots::kCount; ++i) {
+    for (uint32_t i = first; i < sequence.frames + FrameSlots::kCount; ++i) {
         const uint32_t slot = i % FrameSlots::kCount;
-        if (i >= FrameSlots::kCount && i - FrameSlots::kCount < sequence.frames) {
+        if (i >= first + FrameSlots::kCount) {
             finish(sequence, running[slot], callbacks);
         }
         if (i >= sequence.frames) continue;
@@ -77,7 +80,7 @@ void FrameLoop::finish(const Sequence& sequence, const Frame& frame, const Frame
     slots_.wait(frame.slot);
     const auto* pixels = reinterpret_cast<const float*>(readback_[frame.slot].mapped());
     const size_t count = size_t{extent_.width} * extent_.height;
-    if (sequence.accumulate || frame.last) {
+    if (sequence.accumulate ? frame.index >= sequence.skip : frame.last) {
         for (size_t i = 0; i < count; ++i) {
             for (size_t c = 0; c < 3; ++c) sum_[3 * i + c] += static_cast<double>(pixels[kChannels * i + c]);
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,17 +16,24 @@ struct Sequence {
     View view;   // of the last frame
     uint32_t frames = 1;
     uint32_t seed = 0;         // sequences with different seeds are independent
-    bool accumulate = false;   // the mean of all frames, each jittered over the pixel; else the last frame
-    float orbitDegrees = 0;    // the camera's turn about its target from frame to frame
+    bool accumulate = false;   // the mean of all frames but the first `skip`; else the last frame
+    uint32_t skip = 0;
+    std::optional<bool> jitter = {};   // over the pixel, from frame to frame; unset: if accumulated
+    float orbitDegrees = 0;            // the camera's turn about its target from frame to frame
+    Motion motion = {};                // of the scene
+    bool previousTlas = true;   // tell the SDK last frame's acceleration structure; off: a host that has none
+
+    bool jitters() const { return jitter.value_or(accumulate); }
 };
 
 struct Frame {
     uint32_t index = 0;
     uint32_t slot = 0;
     bool last = false;
-    uint32_t seed = 0;           // the sequence's
-    CameraPose pose, previous;   // of the first frame: the same
-    glm::vec2 jitter{0};         // pixels
+    uint32_t seed = 0;                  // the sequence's
+    float time = 0, previousTime = 0;   // of the last frame: 0; of the first: the same
+    CameraPose pose, previous;          // likewise
+    glm::vec2 jitter{0};                // pixels
 };
 
 struct FrameCallbacks {
@@ -44,7 +52,8 @@ public:
     VkImageView target() const { return target_.view(); }
     VkExtent2D extent() const { return extent_; }
 
-    FloatImage run(const Sequence& sequence, const FrameCallbacks& callbacks);
+    // From frame `first` on: an estimator without history need not render what is not counted.
+    FloatImage run(const Sequence& sequence, const FrameCallbacks& callbacks, uint32_t first = 0);
 
 private:
     Frame describe(const Sequence& sequence, uint32_t index) const;

@@ -23,14 +23,6 @@ std::span<const std::byte> bytesOf(const std::vector<T>& values) {
     return std::as_bytes(std::span(values));
 }
 
-// Rows of the upper three, as RsInstance and VkTransformMatrixKHR have them.
-template <class Row>
-void copyRows(Row (&rows)[3], const glm::mat4& matrix) {
-    const glm::mat4 transposed = glm::transpose(matrix);
-    static_assert(sizeof rows == 12 * sizeof(float));
-    std::memcpy(&rows, &transposed, sizeof rows);
-}
-
 glm::vec4 boxCentre(const Mesh& mesh) {
     glm::vec3 low(1e30f), high(-1e30f);
     for (const Geometry& geometry : mesh.geometries) {
@@ -43,17 +35,14 @@ glm::vec4 boxCentre(const Mesh& mesh) {
 }
 
 // Lavapipe halves the list of instances unsorted, like triangles.
-std::vector<VkAccelerationStructureInstanceKHR> sorted(
-    const std::vector<VkAccelerationStructureInstanceKHR>& entries, const SceneData& scene) {
+std::vector<uint32_t> instanceOrder(const SceneData& scene) {
     std::vector<glm::vec4> centres;
     for (const Mesh& mesh : scene.meshes) centres.push_back(boxCentre(mesh));
     std::vector<glm::vec3> centroids;
     for (const Instance& instance : scene.instances) {
         centroids.emplace_back(instance.worldFromObject * centres[instance.mesh]);
     }
-    std::vector<VkAccelerationStructureInstanceKHR> result;
-    for (uint32_t i : spatialOrder(centroids)) result.push_back(entries[i]);
-    return result;
+    return spatialOrder(centroids);
 }
 
 void checkLimits(const SceneData& scene) {
@@ -71,16 +60,17 @@ void checkLimits(const SceneData& scene) {
 GpuScene::GpuScene(const Device& device, SceneData scene) : device_(device) {
     prepareScene(scene);
     checkLimits(scene);
-    SceneLights lights = makeSceneLights(scene);
-    emissiveTriangleCount_ = lights.emissiveTriangles;
-    maxLights_ = lights.idCount;
+    rest_.lights = makeSceneLights(scene);
+    rest_.materials = scene.materials;
+    rest_.state = restOf(scene);
+    lights_ = rest_.lights.lights;
     try {
         Uploader uploader(device);
         uploadGeometry(uploader, scene);
         uploadTextures(uploader, scene);
-        uploadInstances(uploader, scene, lights);
+        uploadInstances(uploader, scene);
         materials_ = makeStorage(uploader, scene.materials);
-        referenceLights_ = makeStorage(uploader, lights.reference);
+        referenceLights_ = makeStorage(uploader, rest_.lights.reference);
         uploader.flush();
         buildAcceleration(scene);
         makeSet();
@@ -88,7 +78,6 @@ GpuScene::GpuScene(const Device& device, SceneData scene) : device_(device) {
         release();
         throw;
     }
-    lights_ = std::move(lights.lights);
 }
 
 GpuScene::~GpuScene() { release(); }
@@ -169,25 +158,29 @@ void GpuScene::uploadTextures(Uploader& uploader, const SceneData& scene) {
     }
 }
 
-void GpuScene::uploadInstances(Uploader& uploader, const SceneData& scene, const SceneLights& lights) {
-    std::vector<RsInstance> records;
-    for (const Instance& instance : scene.instances) {
-        const auto& geometries = scene.meshes[instance.mesh].geometries;
+void GpuScene::uploadInstances(Uploader& uploader, const SceneData& scene) {
+    std::vector<Rows> transforms;
+    for (uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
+        const auto& [mesh, worldFromObject] = scene.instances[instance];
+        const auto& geometries = scene.meshes[mesh].geometries;
         for (size_t i = 0; i < geometries.size(); ++i) {
-            const GeometryAddresses& addresses = addresses_[instance.mesh][i];
+            const GeometryAddresses& addresses = addresses_[mesh][i];
             RsInstance record{.positions = addresses.positions,
                               .indices = addresses.indices,
                               .normals = addresses.normals,
                               .uvs = addresses.uvs,
                               .worldFromObject = {},
                               .material = geometries[i].material,
-                              .firstLight = lights.firstLight[records.size()]};
-            copyRows(record.worldFromObject, instance.worldFromObject);
-            records.push_back(record);
+                              .firstLight = rest_.lights.firstLight[rest_.records.size()]};
+            copyRows(record.worldFromObject, worldFromObject);
+            rest_.records.push_back(record);
+            rest_.instanceOf.push_back(instance);
+            transforms.push_back(rowsOf(worldFromObject));
             triangleCount_ += geometries[i].indices.size() / 3;
         }
     }
-    instances_ = makeStorage(uploader, records);
+    instances_ = makeStorage(uploader, rest_.records);
+    previousTransforms_ = makeStorage(uploader, transforms);
 }
 
 void GpuScene::buildAcceleration(const SceneData& scene) {
@@ -216,7 +209,37 @@ void GpuScene::buildAcceleration(const SceneData& scene) {
         instances.push_back(entry);
         record += static_cast<uint32_t>(scene.meshes[instance.mesh].geometries.size());
     }
-    acceleration_ = Acceleration(device_, meshes, sorted(instances, scene));
+    rest_.entryInstance = instanceOrder(scene);
+    std::vector<VkAccelerationStructureInstanceKHR> entries;
+    for (uint32_t i : rest_.entryInstance) entries.push_back(instances[i]);
+    acceleration_ = Acceleration(device_, meshes, std::move(entries));
+    rest_.entries = acceleration_.instances();
+}
+
+void GpuScene::startMoving() {
+    otherTop_ = TopLevel(device_, static_cast<uint32_t>(rest_.entries.size()));
+    writeSet(1);
+    motion_ =
+        std::make_unique<SceneMotion>(device_, rest_,
+                                      SceneMotion::Targets{instances_.handle(), previousTransforms_.handle(),
+                                                           materials_.handle(), referenceLights_.handle()});
+}
+
+void GpuScene::record(VkCommandBuffer cmd, uint32_t slot, const Motion& motion, float time, float previous) {
+    previousTlas_ = VK_NULL_HANDLE;
+    if (!motion && !moved_) return;
+    if (!motion_) startMoving();
+    SceneState now = rest_.state, before = rest_.state;
+    if (motion) {
+        motion(time, now);
+        motion(previous, before);
+    }
+    if (time != previous) previousTlas_ = tlas();
+    current_ = 1 - current_;
+    motion_->record(cmd, slot, now, before, top(current_));
+    lights_ = lightsAt(rest_.lights, now);
+    ++version_;
+    moved_ = static_cast<bool>(motion);
 }
 
 }   // namespace samples

@@ -6,7 +6,15 @@
 namespace samples {
 namespace {
 
-enum Binding : uint32_t { kTlas, kInstances, kMaterials, kReferenceLights, kTextures, kBindingCount };
+enum Binding : uint32_t {
+    kTlas,
+    kInstances,
+    kMaterials,
+    kReferenceLights,
+    kPreviousTransforms,
+    kTextures,
+    kBindingCount
+};
 
 VkDescriptorSetLayoutBinding binding(uint32_t index, VkDescriptorType type, uint32_t count = 1) {
     return {.binding = index,
@@ -24,6 +32,7 @@ void GpuScene::makeSet() {
         binding(kInstances, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kMaterials, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kReferenceLights, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+        binding(kPreviousTransforms, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::max(textureCount, 1u))};
     std::array<VkDescriptorBindingFlags, kBindingCount> flags{};
     flags[kTextures] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // scenes without textures
@@ -40,37 +49,40 @@ void GpuScene::makeSet() {
           "vkCreateDescriptorSetLayout");
     std::array<VkDescriptorPoolSize, kBindingCount> sizes;
     for (size_t i = 0; i < sizes.size(); ++i)
-        sizes[i] = {bindings[i].descriptorType, bindings[i].descriptorCount};
+        sizes[i] = {bindings[i].descriptorType, 2 * bindings[i].descriptorCount};
     const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                                              .maxSets = 1,
+                                              .maxSets = 2,
                                               .poolSizeCount = kBindingCount,
                                               .pPoolSizes = sizes.data()};
     check(vkCreateDescriptorPool(device_.handle(), &poolInfo, nullptr, &pool_), "vkCreateDescriptorPool");
+    const VkDescriptorSetLayout layouts[] = {setLayout_, setLayout_};
     const VkDescriptorSetAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
                                                  .descriptorPool = pool_,
-                                                 .descriptorSetCount = 1,
-                                                 .pSetLayouts = &setLayout_};
-    check(vkAllocateDescriptorSets(device_.handle(), &allocation, &set_), "vkAllocateDescriptorSets");
-    writeSet();
+                                                 .descriptorSetCount = 2,
+                                                 .pSetLayouts = layouts};
+    check(vkAllocateDescriptorSets(device_.handle(), &allocation, sets_), "vkAllocateDescriptorSets");
+    writeSet(0);
 }
 
-void GpuScene::writeSet() const {
-    const VkAccelerationStructureKHR top = tlas();
+void GpuScene::writeSet(uint32_t index) const {
+    const VkAccelerationStructureKHR structure = top(index).handle();
     const VkWriteDescriptorSetAccelerationStructureKHR topInfo{
         .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR,
         .accelerationStructureCount = 1,
-        .pAccelerationStructures = &top};
-    const std::array<VkDescriptorBufferInfo, 3> buffers = {{{instances_.handle(), 0, VK_WHOLE_SIZE},
-                                                            {materials_.handle(), 0, VK_WHOLE_SIZE},
-                                                            {referenceLights_.handle(), 0, VK_WHOLE_SIZE}}};
+        .pAccelerationStructures = &structure};
+    const std::array<VkDescriptorBufferInfo, 4> buffers = {
+        {{instances_.handle(), 0, VK_WHOLE_SIZE},
+         {materials_.handle(), 0, VK_WHOLE_SIZE},
+         {referenceLights_.handle(), 0, VK_WHOLE_SIZE},
+         {previousTransforms_.handle(), 0, VK_WHOLE_SIZE}}};
     std::array<VkWriteDescriptorSet, kBindingCount> writes;
     for (uint32_t i = 0; i < writes.size(); ++i) {
         writes[i] = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                     .dstSet = set_,
+                     .dstSet = sets_[index],
                      .dstBinding = i,
                      .descriptorCount = 1,
                      .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-        if (i >= kInstances && i <= kReferenceLights) writes[i].pBufferInfo = &buffers[i - kInstances];
+        if (i >= kInstances && i <= kPreviousTransforms) writes[i].pBufferInfo = &buffers[i - kInstances];
     }
     writes[kTlas].pNext = &topInfo;
     writes[kTlas].descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;

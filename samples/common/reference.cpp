@@ -19,16 +19,17 @@ static_assert(sizeof(Constants) == 80);
 
 }   // namespace
 
-Reference::Reference(const Device& device, const GpuScene& scene, VkExtent2D extent)
+Reference::Reference(const Device& device, GpuScene& scene, VkExtent2D extent)
     : scene_(scene),
       loop_(device, extent),
       pass_(device, scene, k_reference_spv, std::array{loop_.target()}, sizeof(Constants)) {}
 
 FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& settings,
                              const std::function<void(uint32_t, uint32_t)>& progress) {
-    const uint32_t flags = (settings.nextEvent ? kNextEvent : 0u) | (sequence.accumulate ? kJitter : 0u);
+    const uint32_t flags = (settings.nextEvent ? kNextEvent : 0u) | (sequence.jitters() ? kJitter : 0u);
     FrameCallbacks callbacks;
     callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) {
+        scene_.record(cmd, frame.slot, sequence.motion, frame.time, frame.previousTime);
         pass_.record(cmd, loop_.extent(),
                      Constants{.pose = frame.pose,
                                .extent = {loop_.extent().width, loop_.extent().height},
@@ -36,7 +37,7 @@ FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& 
                                .frame = frame.index,
                                .paths = settings.paths,
                                .bounces = settings.bounces,
-                               .lightCount = static_cast<uint32_t>(scene_.lights().size()),
+                               .lightCount = scene_.referenceLightCount(),
                                .flags = flags});
     };
     callbacks.finished = [&](const Frame&, std::span<const float> target) {
@@ -45,7 +46,7 @@ FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& 
     };
     callbacks.progress = progress;
     callbacks.written = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
-    return loop_.run(sequence, callbacks);
+    return loop_.run(sequence, callbacks, sequence.accumulate ? sequence.skip : sequence.frames - 1);
 }
 
 }   // namespace samples

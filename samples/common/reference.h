@@ -14,14 +14,14 @@ struct ReferenceSettings {
 
 class Reference {
 public:
-    Reference(const Device& device, const GpuScene& scene, VkExtent2D extent);
+    Reference(const Device& device, GpuScene& scene, VkExtent2D extent);
 
     FloatImage render(const Sequence& sequence, const ReferenceSettings& settings,
                       const std::function<void(uint32_t done, uint32_t all)>& progress = {});
     double raysPerFrame() const { return raysPerFrame_; }   // of the last frame rendered
 
 private:
-    const GpuScene& scene_;
+    GpuScene& scene_;
     FrameLoop loop_;
     ComputePass pass_;
     double raysPerFrame_ = 0;

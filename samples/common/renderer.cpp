@@ -27,7 +27,7 @@ restir::SessionDesc withExtent(restir::SessionDesc desc, VkExtent2D extent) {
 
 }   // namespace
 
-Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, restir::SessionDesc session)
+Renderer::Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session)
     : device_(device),
       scene_(scene),
       loop_(device, extent),
@@ -36,11 +36,16 @@ Renderer::Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, res
       sdkScene_(makeScene(device, context_, scene)),
       lights_(device.require(restir::LightTable::create(context_, {.maxLights = scene.maxLights()}),
                              "restir::LightTable")),
-      session_(device.require(restir::Session::create(context_, withExtent(session, extent)), "restir::Session")),
+      session_(
+          device.require(restir::Session::create(context_, withExtent(session, extent)), "restir::Session")),
       lightBytes_(restir::LightTable::memoryNeeded(context_, {.maxLights = scene.maxLights()})) {
-    device.check(lights_.upload(0, scene.lights()), "restir::LightTable::upload");
-    device.submitAndWait(
-        [&](VkCommandBuffer cmd) { device.check(lights_.record(cmd, 0), "restir::LightTable::record"); });
+    device.submitAndWait([&](VkCommandBuffer cmd) { uploadLights(cmd, 0); });
+}
+
+void Renderer::uploadLights(VkCommandBuffer cmd, uint32_t slot) {
+    device_.check(lights_.upload(slot, scene_.lights()), "restir::LightTable::upload");
+    device_.check(lights_.record(cmd, slot), "restir::LightTable::record");
+    lightVersion_ = scene_.version();
 }
 
 FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& settings,
@@ -51,7 +56,7 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
     alpha_.clear();
     if (debugs() && unseen_.handle() == VK_NULL_HANDLE)
         unseen_ = GpuImage(device_, loop_.extent(), VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_STORAGE_BIT);
-    callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, frame); };
+    callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, sequence, frame); };
     callbacks.finished = [&](const Frame& frame, std::span<const float> target) { collect(frame, target); };
     callbacks.progress = progress;
     callbacks.written = restir::Session::outputScope();
@@ -60,7 +65,9 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
     return image;
 }
 
-void Renderer::record(VkCommandBuffer cmd, const Frame& frame) {
+void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame& frame) {
+    scene_.record(cmd, frame.slot, sequence.motion, frame.time, frame.previousTime);
+    if (lightVersion_ != scene_.version()) uploadLights(cmd, frame.slot);
     gbuffer_.record(cmd, frame.pose, frame.previous, frame.jitter, restir::Session::inputScope());
     restir::Settings settings = settings_;
     settings.counters = settings.counters || frame.last;
@@ -72,6 +79,7 @@ void Renderer::record(VkCommandBuffer cmd, const Frame& frame) {
     input.camera = sdkCamera(frame.pose, frame.jitter);
     input.gbuffer = gbuffer_.describe();
     input.tlas = scene_.tlas();
+    if (sequence.previousTlas) input.previousTlas = scene_.previousTlas();
     input.scene = &sdkScene_;
     input.lights = &lights_;
     input.output.radiance = loop_.target();

@@ -28,7 +28,7 @@ struct RenderStats {
 class Renderer {
 public:
     // `session` declares what its settings need (declareFor()); its maxExtent is `extent`.
-    Renderer(Device& device, const GpuScene& scene, VkExtent2D extent, restir::SessionDesc session = {});
+    Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session = {});
 
     // Forgets all history first. With settings.debugView the picture is Output::debug of the last frame.
     FloatImage render(const Sequence& sequence, const restir::Settings& settings,
@@ -40,12 +40,13 @@ public:
     restir::Session& session() { return session_; }
 
 private:
-    void record(VkCommandBuffer cmd, const Frame& frame);
+    void record(VkCommandBuffer cmd, const Sequence& sequence, const Frame& frame);
     void collect(const Frame& frame, std::span<const float> target);
     bool debugs() const { return settings_.debugView != restir::DebugView::None; }
+    void uploadLights(VkCommandBuffer cmd, uint32_t slot);
 
     Device& device_;
-    const GpuScene& scene_;
+    GpuScene& scene_;
     FrameLoop loop_;
     GpuImage unseen_;   // takes the radiance where something else is looked at
     GBufferPass gbuffer_;
@@ -54,6 +55,7 @@ private:
     restir::LightTable lights_;
     restir::Session session_;
     VkDeviceSize lightBytes_ = 0;
+    uint64_t lightVersion_ = 0;   // of the scene's lights in lights_
     restir::Settings settings_;   // of the sequence, as its alpha
     std::vector<float> alpha_;
     RenderStats stats_;

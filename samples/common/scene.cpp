@@ -50,6 +50,25 @@ SceneData loadScene(const std::string& nameOrPath, std::vector<std::string>& war
     return loadGltf(nameOrPath, warnings);
 }
 
+SceneState restOf(const SceneData& scene) {
+    SceneState state;
+    for (const Instance& instance : scene.instances)
+        state.worldFromObject.push_back(instance.worldFromObject);
+    state.emission.assign(scene.materials.size(), 1.0f);
+    state.punctual = scene.punctual;
+    return state;
+}
+
+Motion findMotion(const SceneData& scene, std::string_view animation) {
+    std::string names;
+    for (const Animation& known : scene.animations) {
+        if (known.name == animation) return known.motion;
+        names += (names.empty() ? "" : ", ") + known.name;
+    }
+    throw std::runtime_error("animation '" + std::string(animation) + "': the scene has " +
+                             (names.empty() ? "none" : names));
+}
+
 View frameScene(const SceneData& scene) {
     View view;
     view.name = "frame";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -50,9 +51,9 @@ enum class PunctualKind : uint8_t { Point, Spot, Directional };
 
 struct PunctualLight {
     PunctualKind kind = PunctualKind::Point;
-    glm::vec3 position{0}, direction{0, 0, -1};   // world space; direction of travel, unit
-    glm::vec3 intensity{1};                        // point, spot: candela-like W/sr; directional: W/m^2
-    float range = 0;                               // metres; 0: infinite
+    glm::vec3 position{0}, direction{0, 0, -1};      // world space; direction of travel, unit
+    glm::vec3 intensity{1};                          // point, spot: candela-like W/sr; directional: W/m^2
+    float range = 0;                                 // metres; 0: infinite
     float innerCone = 0, outerCone = 0.785398163f;   // radians from the axis
 };
 
@@ -63,6 +64,22 @@ struct View {
     std::string name = {};
 };
 
+// What may change over time. Instances, materials and punctual lights keep their places in SceneData.
+struct SceneState {
+    std::vector<glm::mat4> worldFromObject = {};   // of each instance; one that mirrors must go on mirroring
+    std::vector<float> emission = {};              // factor on each material's; 0: its lights are gone
+    std::vector<PunctualLight> punctual = {};      // black: gone
+};
+
+// Turns a scene at rest into that of a time, counted in frames; the last frame of a sequence has time 0. The
+// same for the same time, always. Empty: nothing moves.
+using Motion = std::function<void(float time, SceneState& state)>;
+
+struct Animation {
+    std::string name = {};
+    Motion motion = {};
+};
+
 struct SceneData {
     std::string name = {};
     std::vector<Image> images = {};
@@ -71,8 +88,14 @@ struct SceneData {
     std::vector<Mesh> meshes = {};
     std::vector<Instance> instances = {};
     std::vector<PunctualLight> punctual = {};
-    std::vector<View> views = {};   // the scene's cameras; may be empty
+    std::vector<View> views = {};             // the scene's cameras; may be empty
+    std::vector<Animation> animations = {};   // ways in which it can move
 };
+
+SceneState restOf(const SceneData& scene);
+
+// Throws std::runtime_error naming those there are.
+Motion findMotion(const SceneData& scene, std::string_view animation);
 
 // .gltf or .glb. Throws std::runtime_error naming the file and what is wrong; `warnings` gets one line per
 // extension, primitive kind or feature that was skipped.

@@ -18,22 +18,69 @@ void copy(float (&to)[3], const glm::vec3& from) {
     for (int i = 0; i < 3; ++i) to[i] = from[i];
 }
 
+void placeTriangle(restir::Light& light, const LightSource& source, const glm::mat4& worldFromObject) {
+    glm::vec3 p[3];
+    for (int i = 0; i < 3; ++i) p[i] = glm::vec3(worldFromObject * glm::vec4(source.corners[i], 1.0f));
+    copy(light.position, p[0]);
+    copy(light.vertex1, p[1]);
+    copy(light.vertex2, p[2]);
+}
+
+bool hasArea(const restir::Light& triangle) {
+    const auto vector = [](const float(&v)[3]) { return glm::vec3(v[0], v[1], v[2]); };
+    const glm::vec3 p = vector(triangle.position);
+    const float doubleArea =
+        glm::length(glm::cross(vector(triangle.vertex1) - p, vector(triangle.vertex2) - p));
+    return doubleArea > 0 && std::isfinite(doubleArea);
+}
+
+restir::Light makePunctual(const PunctualLight& punctual, uint32_t id) {
+    restir::Light light;
+    light.id = id;
+    light.kind = punctual.kind == PunctualKind::Point  ? restir::LightKind::Point
+                 : punctual.kind == PunctualKind::Spot ? restir::LightKind::Spot
+                                                       : restir::LightKind::Directional;
+    copy(light.position, punctual.position);
+    copy(light.direction, punctual.direction);
+    copy(light.emission, punctual.intensity);
+    light.range = punctual.range;
+    light.innerCone = punctual.innerCone;
+    light.outerCone = punctual.outerCone;
+    return light;
+}
+
+ReferenceLight makeReference(const PunctualLight& punctual) {
+    ReferenceLight light;
+    light.kind =
+        punctual.kind == PunctualKind::Directional ? ReferenceKind::Directional : ReferenceKind::Local;
+    light.position = punctual.position;
+    light.direction = glm::normalize(punctual.direction);
+    light.intensity = punctual.intensity;
+    light.range = punctual.range;
+    if (punctual.kind == PunctualKind::Spot) {
+        const float outer = std::cos(punctual.outerCone);
+        light.coneScale = 1.0f / std::max(0.001f, std::cos(punctual.innerCone) - outer);
+        light.coneOffset = -outer * light.coneScale;
+    }
+    return light;
+}
+
 class Collector {
 public:
     explicit Collector(const SceneData& scene) : scene_(scene) {}
 
     SceneLights collect() {
-        for (const Instance& instance : scene_.instances) {
-            for (const Geometry& geometry : scene_.meshes[instance.mesh].geometries)
-                addGeometry(instance, geometry);
+        for (uint32_t i = 0; i < scene_.instances.size(); ++i) {
+            for (const Geometry& geometry : scene_.meshes[scene_.instances[i].mesh].geometries)
+                addGeometry(i, geometry);
         }
-        for (const PunctualLight& light : scene_.punctual) addPunctual(light);
+        for (uint32_t i = 0; i < scene_.punctual.size(); ++i) addPunctual(i);
         result_.idCount = static_cast<uint32_t>(nextId_);
         return std::move(result_);
     }
 
 private:
-    void addGeometry(const Instance& instance, const Geometry& geometry) {
+    void addGeometry(uint32_t instance, const Geometry& geometry) {
         const RsMaterial& material = scene_.materials[geometry.material];
         const auto record = static_cast<uint32_t>(result_.firstLight.size());
         if (!(material.emission.x + material.emission.y + material.emission.z > 0)) {
@@ -53,27 +100,23 @@ private:
         result_.emissiveTriangles += count;
     }
 
-    void addTriangle(const Instance& instance, const Geometry& geometry, const RsMaterial& material,
+    void addTriangle(uint32_t instance, const Geometry& geometry, const RsMaterial& material,
                      uint32_t primitive) {
         const uint32_t* corners = &geometry.indices[size_t{3} * primitive];
-        glm::vec3 p[3];
-        for (int i = 0; i < 3; ++i) {
-            p[i] = glm::vec3(instance.worldFromObject * glm::vec4(geometry.positions[corners[i]], 1.0f));
-        }
-        const float doubleArea = glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
-        if (!(doubleArea > 0) || !std::isfinite(doubleArea)) return;
+        LightSource source{.from = instance, .material = geometry.material};
+        for (int i = 0; i < 3; ++i) source.corners[i] = geometry.positions[corners[i]];
         restir::Light light;
+        placeTriangle(light, source, scene_.instances[instance].worldFromObject);
+        if (!hasArea(light)) return;
         light.id = static_cast<uint32_t>(nextId_) + primitive;
         light.twoSided = (material.flags & RS_MATERIAL_DOUBLE_SIDED) != 0;
-        copy(light.position, p[0]);
-        copy(light.vertex1, p[1]);
-        copy(light.vertex2, p[2]);
         copy(light.emission, {material.emission.x, material.emission.y, material.emission.z});
         if (material.emissionTexture != RS_NO_TEXTURE) {
             addTexture(geometry, corners, material, light);
             if (light.meanLuminance == 0) return;
         }
         result_.lights.push_back(light);
+        result_.sources.push_back(source);
     }
 
     void addTexture(const Geometry& geometry, const uint32_t* corners, const RsMaterial& material,
@@ -89,38 +132,13 @@ private:
         light.meanLuminance = found->second.mean(uv);
     }
 
-    void addPunctual(const PunctualLight& punctual) {
+    void addPunctual(uint32_t index) {
+        const PunctualLight& punctual = scene_.punctual[index];
         if (!(luminance(punctual.intensity) > 0)) return;
         reserve(1);
-        restir::Light light;
-        light.id = static_cast<uint32_t>(nextId_++);
-        light.kind = punctual.kind == PunctualKind::Point  ? restir::LightKind::Point
-                     : punctual.kind == PunctualKind::Spot ? restir::LightKind::Spot
-                                                           : restir::LightKind::Directional;
-        copy(light.position, punctual.position);
-        copy(light.direction, punctual.direction);
-        copy(light.emission, punctual.intensity);
-        light.range = punctual.range;
-        light.innerCone = punctual.innerCone;
-        light.outerCone = punctual.outerCone;
-        result_.lights.push_back(light);
-        addReference(punctual);
-    }
-
-    void addReference(const PunctualLight& punctual) {
-        ReferenceLight light;
-        light.kind =
-            punctual.kind == PunctualKind::Directional ? ReferenceKind::Directional : ReferenceKind::Local;
-        light.position = punctual.position;
-        light.direction = glm::normalize(punctual.direction);
-        light.intensity = punctual.intensity;
-        light.range = punctual.range;
-        if (punctual.kind == PunctualKind::Spot) {
-            const float outer = std::cos(punctual.outerCone);
-            light.coneScale = 1.0f / std::max(0.001f, std::cos(punctual.innerCone) - outer);
-            light.coneOffset = -outer * light.coneScale;
-        }
-        result_.reference.push_back(light);
+        result_.lights.push_back(makePunctual(punctual, static_cast<uint32_t>(nextId_++)));
+        result_.reference.push_back(makeReference(punctual));
+        result_.sources.push_back({.from = index});
     }
 
     void reserve(uint64_t count) const {
@@ -138,5 +156,35 @@ private:
 }   // namespace
 
 SceneLights makeSceneLights(const SceneData& scene) { return Collector(scene).collect(); }
+
+std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& state) {
+    std::vector<restir::Light> lights;
+    lights.reserve(rest.lights.size());
+    for (size_t i = 0; i < rest.lights.size(); ++i) {
+        restir::Light light = rest.lights[i];
+        const LightSource& source = rest.sources[i];
+        if (light.kind != restir::LightKind::Triangle) {
+            light = makePunctual(state.punctual[source.from], light.id);
+            if (luminance(state.punctual[source.from].intensity) > 0) lights.push_back(light);
+            continue;
+        }
+        const float factor = state.emission[source.material];
+        if (!(factor > 0)) continue;
+        placeTriangle(light, source, state.worldFromObject[source.from]);
+        for (float& channel : light.emission) channel *= factor;
+        light.meanLuminance *= factor;   // negative, it still stands for "untextured"
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+std::vector<ReferenceLight> referenceAt(const SceneLights& rest, const SceneState& state) {
+    std::vector<ReferenceLight> lights = rest.reference;
+    for (size_t i = 0; i < lights.size(); ++i) {
+        if (lights[i].kind != ReferenceKind::Triangle)
+            lights[i] = makeReference(state.punctual[rest.sources[i].from]);
+    }
+    return lights;
+}
 
 }   // namespace samples

@@ -18,9 +18,17 @@ struct ReferenceLight {
     float range = 0, coneScale = 0, coneOffset = 1;
 };
 
+// Where a light comes from.
+struct LightSource {
+    uint32_t from = 0;           // triangle: its instance; else which punctual light
+    uint32_t material = 0;       // of a triangle
+    glm::vec3 corners[3] = {};   // of a triangle, in object space
+};
+
 struct SceneLights {
     std::vector<restir::Light> lights;   // black and degenerate triangles are left out; their ids stay free
     std::vector<ReferenceLight> reference;   // the same lights in the same order
+    std::vector<LightSource> sources;        // likewise
     std::vector<uint32_t> firstLight;        // of each (instance, geometry) record; RS_NO_LIGHT
     uint32_t idCount = 0;                    // one more than the largest id
     uint64_t emissiveTriangles = 0;          // triangles of emissive materials
@@ -28,5 +36,10 @@ struct SceneLights {
 
 // Records count geometries, instance by instance. Throws std::runtime_error beyond the SDK's limit.
 SceneLights makeSceneLights(const SceneData& scene);
+
+// The lights that shine when the scene is in `state`; ids as at rest.
+std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& state);
+// All lights in that state, black ones too.
+std::vector<ReferenceLight> referenceAt(const SceneLights& rest, const SceneState& state);
 
 }   // namespace samples

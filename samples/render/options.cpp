@@ -98,6 +98,10 @@ void addPicture(CLI::App& app, Options& options, Texts& texts) {
                  "write the mean of all frames, jittered; else the last frame");
     app.add_option("--seed", options.seed, "of all random numbers");
     app.add_option("--move", options.move, "orbit the target by so many degrees a frame")->type_name("DEG");
+    app.add_option("--animate", options.animation, "one of the scene's animations, arriving at its time 0")
+        ->type_name("NAME");
+    app.add_flag("--jitter", options.jitter,
+                 "jitter each frame over the pixel, as for temporal antialiasing");
     auto* camera = app.add_option("--camera", options.camera, "one of the scene's cameras");
     camera->type_name("INDEX");
     app.add_option("--eye", texts.eye, "camera position")->type_name("X,Y,Z")->excludes(camera);
@@ -123,6 +127,8 @@ void addEstimator(CLI::App& app, Options& options, Texts& texts) {
     samples::addDiOptions(app, options.di);
     addChoice(app, "--debug", options.debug, kDebugViews,
               "show what the last frame's reservoirs hold: colours, and in the EXR's channel A numbers");
+    app.add_flag("!--no-previous-tlas", options.previousTlas,
+                 "keep last frame's acceleration structure from the library");
     // For checking the reference itself.
     app.add_option("--reference-nee", texts.nextEvent)->check(CLI::IsMember({"on", "off"}))->group("");
 }

@@ -31,7 +31,10 @@ struct Options {
     bool quiet = false;
     bool referenceNextEvent = true;
     uint32_t seed = 0;
-    float move = 0;   // degrees a frame
+    float move = 0;          // degrees a frame
+    std::string animation;   // of the scene's; empty: it stands still
+    bool jitter = false;
+    bool previousTlas = true;
     std::optional<uint32_t> camera;
     std::optional<glm::vec3> eye, target;
     float fov = 45;   // degrees, vertical; with eye and target

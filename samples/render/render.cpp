@@ -24,7 +24,7 @@ samples::SceneData load(const Options& options) {
 }
 
 samples::FloatImage renderReference(const Options& options, const samples::Device& device,
-                                    const samples::GpuScene& scene, const samples::Sequence& sequence,
+                                    samples::GpuScene& scene, const samples::Sequence& sequence,
                                     Report& report) {
     samples::Reference reference(device, scene, options.size);
     const samples::ReferenceSettings settings{
@@ -34,7 +34,7 @@ samples::FloatImage renderReference(const Options& options, const samples::Devic
     return image;
 }
 
-samples::FloatImage renderSdk(const Options& options, samples::Device& device, const samples::GpuScene& scene,
+samples::FloatImage renderSdk(const Options& options, samples::Device& device, samples::GpuScene& scene,
                               const samples::Sequence& sequence, Report& report) {
     restir::SessionDesc session;
     samples::declareFor(options.di, session);
@@ -71,14 +71,19 @@ Outcome render(const Options& options) {
                                      .frames = options.frames,
                                      .seed = options.seed,
                                      .accumulate = options.accumulate,
-                                     .orbitDegrees = options.move};
+                                     .jitter = options.jitter || options.accumulate,
+                                     .orbitDegrees = options.move,
+                                     .motion = options.animation.empty()
+                                                   ? samples::Motion()
+                                                   : samples::findMotion(data, options.animation),
+                                     .previousTlas = options.previousTlas};
     samples::Device device({.validate = options.validate});
     Outcome outcome;
     Report& report = outcome.report;
     report.device = device.properties().deviceName;
     report.driver = device.driver();
     {
-        const samples::GpuScene scene(device, std::move(data));
+        samples::GpuScene scene(device, std::move(data));
         report.triangles = scene.triangleCount();
         report.emissiveTriangles = scene.emissiveTriangleCount();
         report.lights = scene.lights().size();

@@ -29,14 +29,15 @@ vec4 encodeNormal(vec3 n) {
     return vec4(n.z < 0.0 ? folded : e, 0.0, 0.0);
 }
 
-void store(ivec2 at, Surface s, vec3 direction, vec2 unjittered) {
+void store(ivec2 at, Hit hit, vec3 direction, vec2 unjittered) {
+    Surface s = sceneSurface(hit);
     RsMaterial material = sceneMaterials[s.material];
     imageStore(depthImage, at, vec4(dot(s.position - camera.eye, camera.forward)));
     imageStore(normalImage, at, encodeNormal(s.normal));
     imageStore(geometricNormalImage, at, encodeNormal(s.geometricNormal));
     imageStore(baseColorImage, at, vec4(sceneBaseColor(material, s.uv), 1.0));
     imageStore(materialImage, at, vec4(sceneGloss(material, s.uv), 0.0));
-    vec2 before = cameraPixel(previousCamera, s.position, vec2(extent));
+    vec2 before = cameraPixel(previousCamera, scenePreviousPosition(hit), vec2(extent));
     imageStore(motionImage, at, vec4(before - unjittered, 0.0, 0.0));
     imageStore(emissionImage, at, vec4(min(sceneEmission(s, -direction), vec3(kLargestEmission)), 0.0));
 }
@@ -58,7 +59,7 @@ void main() {
     vec3 direction = cameraDirection(camera, unjittered, vec2(extent));
     Hit hit = sceneTrace(camera.eye, direction, 1e30, gl_RayFlagsNoneEXT);
     if (hit.found) {
-        store(ivec2(pixel), sceneSurface(hit), direction, unjittered);
+        store(ivec2(pixel), hit, direction, unjittered);
     } else {
         storeEmpty(ivec2(pixel));
     }

@@ -27,7 +27,7 @@ struct View {
     bool cut;
     Matrix viewFromWorld, clipFromView;
     VkImageView depth, normal, albedo, material, motion, emission, lit;
-    VkAccelerationStructureKHR tlas;
+    VkAccelerationStructureKHR tlas, previousTlas;
     std::vector<restir::Light> lights;
 };
 
@@ -98,6 +98,7 @@ bool drawLighting(Lighting& lighting, VkCommandBuffer cmd, const View& view) {
                     .motion = {view.motion},
                     .emission = {view.emission}},
         .tlas = view.tlas,
+        .previousTlas = view.previousTlas,   // last frame's; null where nothing moves
         .scene = &lighting.scene,
         .lights = &lighting.lights,
         .output = {.radiance = view.lit},

@@ -11,7 +11,9 @@
 layout(set = 1, binding = 0) uniform accelerationStructureEXT sceneTlas;
 layout(set = 1, binding = 1, scalar) readonly buffer SceneInstances { RsInstance sceneInstances[]; };
 layout(set = 1, binding = 2, scalar) readonly buffer SceneMaterials { RsMaterial sceneMaterials[]; };
-layout(set = 1, binding = 4) uniform sampler2D sceneTextures[];
+// Rows of last frame's worldFromObject, three for each record.
+layout(set = 1, binding = 4, scalar) readonly buffer ScenePreviousTransforms { vec4 scenePreviousTransforms[]; };
+layout(set = 1, binding = 5) uniform sampler2D sceneTextures[];
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vectors { vec3 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Coordinates { vec2 at[]; };
@@ -113,6 +115,17 @@ Surface sceneSurface(Hit hit) {
     s.material = instance.material;
     s.normal = sceneMappedNormal(sceneMaterials[s.material], s, instance, corners);
     return s;
+}
+
+// Where the point that was hit was a frame ago.
+vec3 scenePreviousPosition(Hit hit) {
+    RsInstance instance = sceneInstances[hit.record];
+    for (uint row = 0u; row < 3u; ++row) instance.worldFromObject[row] = scenePreviousTransforms[3u * hit.record + row];
+    uvec3 corners = sceneCorners(instance, hit.primitive);
+    Vectors positions = Vectors(instance.positions);
+    vec3 p0 = scenePoint(instance, positions.at[corners.x]);
+    return p0 + hit.barycentrics.x * (scenePoint(instance, positions.at[corners.y]) - p0) +
+           hit.barycentrics.y * (scenePoint(instance, positions.at[corners.z]) - p0);
 }
 
 vec3 sceneBaseColor(RsMaterial material, vec2 uv) {

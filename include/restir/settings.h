@@ -10,6 +10,7 @@ enum class Weights : uint8_t {
     Basic,      // 1/Z: unbiased, noisiest
     Balance,    // balance heuristic of the selected sample
     Pairwise,   // defensive pairwise MIS (Bitterli 2022): the quietest
+    PairwisePlain,   // without the share that the defensive form gives a pixel's own reservoir whatever its neighbours
 };
 
 // What becomes of visibility when samples are reused. A change drops the history.
@@ -34,13 +35,16 @@ struct DiSettings {
     uint32_t maxHistory = 20;   // [0, 1000] frames a temporal reservoir may stand for
     uint32_t spatialPasses = 1;   // [0, 8]
     uint32_t neighbours = 5;      // [1, 16] per spatial pass
+    // With `temporal` and history: one pass over the last frame's reservoirs, at the pixel's old place and at
+    // `neighbours` around it, instead of the temporal and the first spatial pass.
+    bool fused = false;
     float radius = 30.0f;         // pixels, > 0
     // Which neighbours count as the same surface; tested before their reservoirs are read.
     float normalThreshold = 0.9f;   // cosine between shading normals, [-1, 1]
     float depthThreshold = 0.1f;    // of linear depth, relative, > 0
     Weights weights = Weights::Pairwise;
     VisibilityReuse visibility = VisibilityReuse::Traced;
-    // With Traced visibility and Pairwise or Off weights the last spatial pass shades the weighted mean of all its
+    // With Traced visibility and weights other than Basic and Balance the last spatial pass shades the weighted mean of all its
     // inputs instead of the one it keeps: as unbiased, no more rays, less noise in colour and shadow.
     bool averageShading = true;
     // [0, 1] after temporal reuse no pixel's sample brings more than 4 / boilingFilter times the mean of the others of

@@ -7,6 +7,7 @@ namespace restir::di {
 
 PassInfo candidates(uint32_t target) noexcept;
 PassInfo temporal(uint32_t history, uint32_t target) noexcept;   // rewrites its own pixel of `target`
+PassInfo spatiotemporal(uint32_t history, uint32_t target, bool shades) noexcept;   // likewise
 PassInfo boiling(uint32_t buffer) noexcept;   // cuts outliers back
 PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
 PassInfo shade(uint32_t buffer) noexcept;

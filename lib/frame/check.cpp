@@ -58,7 +58,7 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
     if (!(di.boilingFilter >= 0 && di.boilingFilter <= 1))
         return refuse(sink, "restir: DiSettings::boilingFilter is %g, must be in [0, 1]", double(di.boilingFilter));
     if (di.mode > DirectMode::NextEvent) return refuse(sink, "restir: DiSettings::mode is %d", int(di.mode));
-    if (di.weights > Weights::Pairwise) return refuse(sink, "restir: DiSettings::weights is %d", int(di.weights));
+    if (di.weights > Weights::PairwisePlain) return refuse(sink, "restir: DiSettings::weights is %d", int(di.weights));
     if (di.visibility > VisibilityReuse::Traced)
         return refuse(sink, "restir: DiSettings::visibility is %d", int(di.visibility));
     return Status::Ok;

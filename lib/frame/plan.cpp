@@ -6,6 +6,15 @@
 #include <surface/stages.h>
 
 namespace restir {
+namespace {
+
+// Whether a pass can shade the mean of what it combines.
+bool averagesInputs(const DiSettings& di) noexcept {
+    return di.averageShading && di.visibility == VisibilityReuse::Traced && di.weights != Weights::Basic &&
+           di.weights != Weights::Balance;
+}
+
+}   // namespace
 
 Plan makePlan(const PlanInput& input, const Settings& settings) {
     Plan plan;
@@ -27,16 +36,20 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
     uint32_t current = 1 - history;
     add(di::candidates(current));
     const bool remembers = di.temporal && input.history;
-    if (remembers) add(di::temporal(history, current));
-    if (remembers && di.boilingFilter > 0) add(di::boiling(current));
-    const bool averages = di.averageShading && di.spatialPasses > 0 && di.visibility == VisibilityReuse::Traced &&
-                          (di.weights == Weights::Pairwise || di.weights == Weights::Off);
-    for (uint32_t i = 0; i < di.spatialPasses; ++i) {
-        add(di::spatial(current, 1 - current, i, averages && i + 1 == di.spatialPasses));
+    const bool fused = di.fused && remembers && di.spatialPasses > 0;
+    const bool filters = remembers && di.boilingFilter > 0;
+    const uint32_t spatialPasses = di.spatialPasses - (fused ? 1 : 0);
+    // A filtered reservoir is shaded after the filter.
+    const bool averages = averagesInputs(di) && (spatialPasses > 0 || (fused && !filters));
+    if (fused) add(di::spatiotemporal(history, current, averages && spatialPasses == 0));
+    else if (remembers) add(di::temporal(history, current));
+    if (filters) add(di::boiling(current));
+    for (uint32_t i = 0; i < spatialPasses; ++i) {
+        add(di::spatial(current, 1 - current, i, averages && i + 1 == spatialPasses));
         current = 1 - current;
     }
     if (!averages) add(di::shade(current));
-    if (settings.debugView != DebugView::None) add(di::debug(current, std::max(di.spatialPasses, 1u) - 1));
+    if (settings.debugView != DebugView::None) add(di::debug(current, std::max(spatialPasses, 1u) - 1));
     plan.historyOut = current;
     return plan;
 }

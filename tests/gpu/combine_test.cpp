@@ -21,6 +21,8 @@ constexpr uint32_t kSamples = 1u << 18;
 constexpr uint32_t kSurfaces = 6, kLights = 6;
 constexpr uint32_t kDropEmpty = 1, kCurrentLights = 2;   // planted bugs of combine.glsl
 constexpr uint32_t kAll = 0xff;
+constexpr uint32_t kUnbiasedWeights[] = {RS_WEIGHTS_BASIC, RS_WEIGHTS_BALANCE, RS_WEIGHTS_PAIRWISE,
+                                         RS_WEIGHTS_PAIRWISE_PLAIN};
 
 struct TestSurface {   // as in combine.glsl
     glm::vec3 position{0}, normal{0, 0, 1}, baseColor{0.8f, 0.6f, 0.4f};
@@ -106,13 +108,24 @@ Setting moving() {
     return s;
 }
 
+// Likewise, but light 1 only grew brighter; and there are more pixels of the last frame, each in its own shadow.
+Setting crowded() {
+    Setting s = moving();
+    s.previousLights.insert(s.previousLights.begin(), triangle(1, kCentres[1], {3, 6, 12}));
+    const glm::vec3 tilted = glm::normalize(glm::vec3(0.6f, -0.2f, 1));
+    s.surfaces.push_back({{0.08f, 0.03f, 0}, {0, 0, 1}, {0.3f, 0.6f, 0.9f}, 0b101101});
+    s.surfaces.push_back({{-0.07f, 0.05f, 0}, tilted, {0.9f, 0.5f, 0.1f}, 0b011110, 2});
+    s.surfaces.push_back({{0.01f, -0.09f, 0}, {0, 0, 1}, {0.8f, 0.6f, 0.4f}, 0, 2});
+    return s;
+}
+
 struct Mode {
     uint32_t weights = RS_WEIGHTS_PAIRWISE, visibility = RS_VISIBILITY_NONE;
     uint32_t bsdfCandidates = 0, planted = 0, nextEvent = 0;
     bool averaged = false;   // shade the mean of all inputs
 
     friend std::ostream& operator<<(std::ostream& out, const Mode& m) {
-        const char* weightNames[] = {"off", "basic", "balance", "pairwise"};
+        const char* weightNames[] = {"off", "basic", "balance", "pairwise", "plain"};
         const char* visibilityNames[] = {"none", "cached", "traced"};
         return out << weightNames[m.weights] << ", " << visibilityNames[m.visibility] << ", "
                    << m.bsdfCandidates << " directions" << (m.averaged ? ", averaged" : "");
@@ -203,22 +216,25 @@ void expectBiased(const Setting& setting, const Mode& mode, double least, double
 class Combine : public tests::GpuTest {};
 
 TEST_F(Combine, UnbiasedOverDifferentSurfaces) {
-    for (uint32_t weights : {RS_WEIGHTS_BASIC, RS_WEIGHTS_BALANCE, RS_WEIGHTS_PAIRWISE})
+    for (uint32_t weights : kUnbiasedWeights)
         for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_TRACED})
             expectUnbiased(tilted(), {weights, visibility});
 }
 
 TEST_F(Combine, UnbiasedOverDifferentShadows) {
-    for (uint32_t weights : {RS_WEIGHTS_BASIC, RS_WEIGHTS_BALANCE, RS_WEIGHTS_PAIRWISE})
+    for (uint32_t weights : kUnbiasedWeights)
         for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_TRACED})
             for (uint32_t directions : {0u, 1u})
                 expectUnbiased(shadowed(), {weights, visibility, directions});
 }
 
 TEST_F(Combine, UnbiasedOverFramesWhoseLightsChange) {
-    for (uint32_t weights : {RS_WEIGHTS_BASIC, RS_WEIGHTS_BALANCE, RS_WEIGHTS_PAIRWISE})
+    for (uint32_t weights : kUnbiasedWeights)
         for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_TRACED})
-            for (uint32_t directions : {0u, 2u}) expectUnbiased(moving(), {weights, visibility, directions});
+            for (uint32_t directions : {0u, 2u}) {
+                expectUnbiased(moving(), {weights, visibility, directions});
+                expectUnbiased(crowded(), {weights, visibility, directions});
+            }
 }
 
 // Candidates alone, by lights and by directions, with and without killing.
@@ -232,9 +248,10 @@ TEST_F(Combine, FreshCandidatesAreUnbiased) {
 
 // The mean of all inputs has the same expectation as the one that is kept, and less noise.
 TEST_F(Combine, AveragedShadingIsUnbiasedAndQuieter) {
-    for (const Setting& setting : {tilted(), shadowed(), moving()}) {
+    for (const Setting& setting : {tilted(), shadowed(), moving(), crowded()}) {
         const Mode averaged{.visibility = RS_VISIBILITY_TRACED, .bsdfCandidates = 1, .averaged = true};
         expectUnbiased(setting, averaged);
+        expectUnbiased(setting, {RS_WEIGHTS_PAIRWISE_PLAIN, RS_VISIBILITY_TRACED, 1, 0, 0, true});
         const Mode selected{.visibility = RS_VISIBILITY_TRACED, .bsdfCandidates = 1};
         for (int k = 0; k < 3; ++k)
             EXPECT_LT(tests::meanOf(run(setting, averaged, 5).channels[k]).relativeError(),
@@ -252,7 +269,7 @@ TEST_F(Combine, OffIsDarkWhereSupportsDiffer) {
 }
 
 TEST_F(Combine, CachedVisibilityIsDark) {
-    for (uint32_t weights : {RS_WEIGHTS_BASIC, RS_WEIGHTS_BALANCE, RS_WEIGHTS_PAIRWISE})
+    for (uint32_t weights : kUnbiasedWeights)
         expectBiased(shadowed(), {weights, RS_VISIBILITY_CACHED}, -0.9, -0.05);
 }
 
@@ -272,7 +289,7 @@ TEST_F(Combine, PlantedBugsShow) {
 
 // Confidences add up, whatever became of the samples, and no weight was ever bad.
 TEST_F(Combine, ConfidencesAddUp) {
-    for (uint32_t weights : {RS_WEIGHTS_OFF, RS_WEIGHTS_BASIC, RS_WEIGHTS_BALANCE, RS_WEIGHTS_PAIRWISE})
+    for (uint32_t weights = RS_WEIGHTS_OFF; weights <= RS_WEIGHTS_PAIRWISE_PLAIN; ++weights)
         for (double confidence : run(shadowed(), {weights, RS_VISIBILITY_TRACED}, 3).confidences)
             ASSERT_EQ(confidence, 1 + 2 + 1 + 3 + 1) << "weights " << weights;
 }

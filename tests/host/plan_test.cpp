@@ -32,6 +32,11 @@ std::vector<Settings> allSettings() {
         all.back().debugView = DebugView::Light;
     }
     all.push_back({.di = {.boilingFilter = 0.5f}});
+    const size_t separate = all.size();
+    for (size_t i = 0; i < separate; ++i) {
+        all.push_back(all[i]);
+        all.back().di.fused = true;
+    }
     all.push_back({.di = {.mode = DirectMode::NextEvent}});
     return all;
 }
@@ -79,6 +84,10 @@ bool uses(const PassInfo& pass, Resource resource, bool writing) {
     return false;
 }
 
+bool readsHistory(const PassInfo& pass) {
+    return std::string(pass.name) == "di.temporal" || std::string(pass.name) == "di.spatiotemporal";
+}
+
 Resource reservoirBuffer(uint32_t i) { return i == 0 ? Resource::ReservoirsA : Resource::ReservoirsB; }
 
 TEST(Plan, OrderOfStages) {
@@ -106,6 +115,24 @@ TEST(Plan, OrderOfStages) {
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.debug"}));
 }
 
+// One pass for two; a frame without history has no more to fuse than one without either kind of reuse.
+TEST(Plan, OrderOfFusedStages) {
+    using Names = std::vector<std::string>;
+    const auto order = [](bool history, bool temporal, uint32_t spatialPasses, VisibilityReuse visibility) {
+        Settings settings = settingsOf(temporal, spatialPasses, visibility);
+        settings.di.fused = true;
+        return names(makePlan({kExtent, history, 0}, settings));
+    };
+    const auto traced = VisibilityReuse::Traced;
+    EXPECT_EQ(order(true, true, 1, traced), (Names{"surface.pack", "di.candidates", "di.spatiotemporal"}));
+    EXPECT_EQ(order(true, true, 2, traced), (Names{"surface.pack", "di.candidates", "di.spatiotemporal", "di.spatial"}));
+    EXPECT_EQ(order(true, true, 1, VisibilityReuse::None),
+              (Names{"surface.pack", "di.candidates", "di.spatiotemporal", "di.shade"}));
+    EXPECT_EQ(order(false, true, 1, traced), (Names{"surface.pack", "di.candidates", "di.spatial"}));
+    EXPECT_EQ(order(true, false, 1, traced), (Names{"surface.pack", "di.candidates", "di.spatial"}));
+    EXPECT_EQ(order(true, true, 0, traced), (Names{"surface.pack", "di.candidates", "di.temporal", "di.shade"}));
+}
+
 // Once, and by the last pass but that which shows what it left.
 TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
     for (const Plan& plan : allPlans())
@@ -114,7 +141,7 @@ TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
             const bool last = &pass == &plan.passes.back() - (shows ? 1 : 0);
             EXPECT_EQ(uses(pass, Resource::DebugOutput, true), shows && &pass == &plan.passes.back());
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
-            if (std::string(pass.name) == "di.spatial") {
+            if (std::string(pass.name) == "di.spatial" || std::string(pass.name) == "di.spatiotemporal") {
                 EXPECT_EQ(pass.shades, last);
             }
         }
@@ -143,12 +170,12 @@ TEST(Plan, PassesReadNeighboursOnlyInBuffersTheyDoNotWrite) {
     for (const Plan& plan : allPlans()) {
         for (const PassInfo& pass : plan.passes) {
             const std::string name = pass.name;
-            if (name != "di.temporal" && name != "di.spatial") continue;
+            if (!readsHistory(pass) && name != "di.spatial") continue;
             EXPECT_NE(pass.source, pass.target) << name;
             EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false)) << name;
             EXPECT_FALSE(uses(pass, reservoirBuffer(pass.source), true)) << name;
             EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target), true)) << name;
-            EXPECT_EQ(uses(pass, reservoirBuffer(pass.target), false), name == "di.temporal") << name;
+            EXPECT_EQ(uses(pass, reservoirBuffer(pass.target), false), readsHistory(pass)) << name;
         }
     }
 }
@@ -160,7 +187,7 @@ TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
             const std::string name = pass.name;
             if (name == "di.candidates") {
                 EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target), true));
-            } else if (name == "di.temporal") {
+            } else if (readsHistory(pass)) {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
             } else if (name == "di.spatial") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
@@ -185,7 +212,8 @@ TEST(Plan, HistoryIsReadWhereTheLastFrameLeftItAndBeforeItIsOverwritten) {
             const Plan plan = makePlan({kExtent, frame > 0, history}, settings);
             bool overwritten = false, read = false;
             for (const PassInfo& pass : plan.passes) {
-                if (std::string(pass.name) == "di.temporal") {
+                if (readsHistory(pass)) {
+                    EXPECT_FALSE(read) << "once";
                     EXPECT_EQ(pass.source, history);
                     EXPECT_FALSE(overwritten);
                     EXPECT_TRUE(uses(pass, Resource::PreviousSurfaces, false));

@@ -91,6 +91,19 @@ std::vector<NamedSettings> unbiasedSettings() {
     ris.di.temporal = false;
     ris.di.spatialPasses = 0;
     all.push_back({"ris", ris});
+    for (auto [name, weights] : {std::pair("basic", Weights::Basic), std::pair("balance", Weights::Balance),
+                                 std::pair("pairwise", Weights::Pairwise), std::pair("plain", Weights::PairwisePlain)}) {
+        for (auto [seen, visibility] :
+             {std::pair("none", VisibilityReuse::None), std::pair("traced", VisibilityReuse::Traced)}) {
+            restir::Settings s = base;
+            s.di.weights = weights;
+            s.di.visibility = visibility;
+            s.di.fused = true;
+            all.push_back({std::string("fused ") + name + " " + seen, s});
+            s.di.fused = false;
+            if (weights == Weights::PairwisePlain) all.push_back({std::string(name) + " " + seen, s});
+        }
+    }
     restir::Settings nee = base;
     nee.di.mode = restir::DirectMode::NextEvent;
     all.push_back({"nee", nee});

@@ -2,9 +2,10 @@
 //   Off       m_i = c_i / sum c
 //   Basic     m_i = c_i [p^_i(y) > 0] / sum c_j [p^_j(y) > 0]          (O(k): normalised at the selected sample)
 //   Balance   m_i = c_i p^_i(y) / sum c_j p^_j(y)                      (likewise)
-//   Pairwise  Bitterli 2022, defensive: with S = sum of the neighbours' c
-//             m_i = S/(S+c_c) c_i p^_i / (c_c p^_c + S p^_i)
-//             m_c = S/(S+c_c) sum (c_i/S) c_c p^_c / (c_c p^_c + S p^_i) + c_c/(S+c_c)
+//   PairwisePlain   Bitterli 2022: with S = sum of the neighbours' c
+//             m_i = c_i p^_i / (c_c p^_c + S p^_i)
+//             m_c = sum (c_i/S) c_c p^_c / (c_c p^_c + S p^_i)
+//   Pairwise  the same, defensive: all times S/(S+c_c), and m_c + c_c/(S+c_c)
 // The shift is the identity on the light with |J| = 1 (restir/lights/light.glsl). With RS_VISIBILITY_TRACED every target
 // contains its pixel's V: 1 for a reservoir's own sample, since that reservoir is visibility-limited, a ray for any other.
 // Nothing here but p^ and W depends on what was sampled: acceptance, confidences and S come from surfaces and counts.
@@ -23,7 +24,7 @@ struct RsNeighbour {
     bool previous;   // its target uses last frame's lights and scene
 };
 
-// Where to look; made by a stage (temporal, spatial), read back by its rsLoadNeighbour.
+// Where to look; made by a stage (temporal, spatial, spatiotemporal), read back by its rsLoadNeighbour.
 struct RsNeighbourhood {
     uvec2 pixel;     // temporal: of the previous frame
     float radius;    // pixels
@@ -75,14 +76,20 @@ struct RsCombination {
     float normalisation;   // Basic, Balance: at the selected sample
 };
 
+bool rsIsPairwise(uint weights) { return weights >= RS_WEIGHTS_PAIRWISE; }
+// What the pairs share; the canonical has the rest for itself.
+float rsPairwiseShare(uint weights, float canonicalConfidence, float S) {
+    return weights == RS_WEIGHTS_PAIRWISE ? S / (S + canonicalConfidence) : 1.0;
+}
+
 // Neighbour `i`'s own sample, shifted here and visible: `here` is f and p^_c.
 void rsTakeSample(inout RsCombination sums, RsNeighbour n, RsDirect here, int i, float canonicalConfidence, float S,
                   uint weights, float coin) {
-    bool asksThere = weights == RS_WEIGHTS_BALANCE || weights == RS_WEIGHTS_PAIRWISE;
+    bool asksThere = weights == RS_WEIGHTS_BALANCE || rsIsPairwise(weights);
     float there = asksThere ? rsDirect(n.surface, rsLightFor(n, n.reservoir.light), n.reservoir.uv).target : 1.0;
     float mis = float(rsConfidence(n.reservoir));
-    if (weights == RS_WEIGHTS_PAIRWISE)
-        mis *= S / (S + canonicalConfidence) * there / (canonicalConfidence * here.target + S * there);
+    if (rsIsPairwise(weights))
+        mis *= rsPairwiseShare(weights, canonicalConfidence, S) * there / (canonicalConfidence * here.target + S * there);
     sums.radiance += mis * n.reservoir.ucw * here.integrand;
     rsSelect(sums.selection, n.reservoir, mis * here.target * n.reservoir.ucw, here.target, there, i, coin);
 }
@@ -99,7 +106,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     if (rsHasSample(canonical)) own = rsDirect(s, rsLoadLight(canonical.light), canonical.uv);
     if (where.accepted == 0u || S <= 0.0) return RsCombined(canonical, own.integrand * canonical.ucw);
 
-    bool pairwise = weights == RS_WEIGHTS_PAIRWISE, balance = weights == RS_WEIGHTS_BALANCE;
+    bool pairwise = rsIsPairwise(weights), balance = weights == RS_WEIGHTS_BALANCE;
     RsCombination sums =
         RsCombination(RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1), vec3(0.0), 0.0, 0.0);
     RsReservoir asked = canonical;
@@ -153,7 +160,8 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     }
 
     if (pairwise) {
-        float mis = own.target > 0.0 ? (sums.canonicalMis * S + cc) / (S + cc) : 0.0;
+        float share = rsPairwiseShare(weights, cc, S);
+        float mis = own.target > 0.0 ? sums.canonicalMis * share + 1.0 - share : 0.0;
         sums.radiance += mis * canonical.ucw * own.integrand;
         rsSelect(sums.selection, canonical, mis * own.target * canonical.ucw, own.target, own.target, -1, rsNext(random));
     } else if (weights == RS_WEIGHTS_OFF) {

@@ -2,20 +2,11 @@
 // from a snapshot.
 #ifndef RESTIR_DI_SPATIAL_GLSL
 #define RESTIR_DI_SPATIAL_GLSL
-#include "restir/di/combine.glsl"
 #include "restir/di/similar.glsl"
+#include "restir/di/spiral.glsl"
 
 RsSurface rsLoadSurface(uvec2 pixel);
 RsReservoir rsLoadSource(uvec2 pixel);
-
-#define RS_GOLDEN_TURN 0.61803399
-
-ivec2 rsNeighbourPixel(RsNeighbourhood where, uint i) {
-    // precise: found and loaded pixels are the same
-    precise float r = where.radius * sqrt((float(i) + where.rotation.x) / float(where.count));
-    precise float phi = 2.0 * RS_PI * (where.rotation.y + float(i) * RS_GOLDEN_TURN);
-    return ivec2(floor(vec2(where.pixel) + 0.5 + r * vec2(cos(phi), sin(phi))));
-}
 
 RsNeighbour rsLoadNeighbour(RsNeighbourhood where, uint i) {
     uvec2 at = uvec2(max(rsNeighbourPixel(where, i), ivec2(0)));
@@ -28,8 +19,7 @@ RsNeighbourhood rsNeighbourhood(uvec2 pixel, RsDiConstants di, inout RsRandom ra
 
 // RS_ACCEPTED, or why not.
 uint rsJudgeNeighbour(RsSurface s, ivec2 at, uvec2 pixel, uvec2 extent, RsDiConstants di) {
-    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(extent))) || uvec2(at) == pixel)
-        return RS_REJECTED_OUTSIDE;
+    if (!rsIsInside(at, extent) || uvec2(at) == pixel) return RS_REJECTED_OUTSIDE;
     return rsCompareInFrame(s, rsLoadSurface(uvec2(at)), di);
 }
 

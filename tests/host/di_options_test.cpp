@@ -74,7 +74,7 @@ TEST(DiOptions, CommandLines) {
 
 TEST(DiOptions, RefusalsNameTheCulprit) {
     EXPECT_EQ(whatOf([] { parseDi("weights=best"); }),
-              "weights: 'best' is none of off|basic|balance|pairwise");
+              "weights: 'best' is none of off|basic|balance|pairwise|plain");
     EXPECT_EQ(whatOf([] { parseDi("radius=6px"); }), "radius: '6px' is no number it can take");
     EXPECT_EQ(whatOf([] { parseDi("neighbours"); }), "neighbours: '' is no number it can take");
     EXPECT_EQ(whatOf([] { parseDi("colour=red"); }).substr(0, 29), "'colour' is no setting, known");

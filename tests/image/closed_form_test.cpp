@@ -41,7 +41,10 @@ TEST(ClosedForm, RectangleOverPlane) {
         return glm::dvec3(kRadiance) * lampIrradiance(light, p);
     }));
 
-    const std::vector<NamedSettings> all = unbiasedSettings();
+    std::vector<NamedSettings> all = unbiasedSettings();
+    std::erase_if(all, [](const NamedSettings& s) {   // all are in Occluded, where supports differ
+        return s.settings.di.fused && s.settings.di.weights != restir::Weights::Pairwise;
+    });
     Verdict verdict(all.size() + 1, kPictures);
     for (uint32_t i = 0; i < all.size(); ++i)
         verdict.add(all[i].name, compare(pictures(world, i, all[i].settings), truth));

@@ -62,8 +62,9 @@ enum class DebugView : uint8_t {
     Weight,       // W of the sample; ramp 1e-2, 1, 1e2, 1e4, 1e6
     Light,        // its light id; a colour for each
     Visibility,   // traced anew, a ray a pixel: green and 1, or red and 0 where something blocks it
-    Neighbours,   // of the last spatial pass: how many it took; dark grey taken, red another normal, blue off the
-                  // plane, green without a surface, white outside the image or the pixel itself, in shares of them
+    Neighbours,   // of the last spatial pass (not of `fused`): how many it took; dark grey taken, red another normal,
+                  // blue off the plane, green without a surface, white outside the image or the pixel itself, in
+                  // shares of them
     Samples,      // the point on its light: red u, green v, blue 1 - u - v; w its distance in metres (1e30: infinite)
     Duplicates,   // pixels among the 48 around with the same point on the same light; ramp 0, 3, 12, 27, 48
 };

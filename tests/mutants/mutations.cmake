@@ -61,9 +61,9 @@ restir_mutant(empty_is_rejected "empty neighbours leave S and the sum of c (sect
 
 restir_mutant(off_labelled_pairwise "m_i = c_i / sum c where supports differ (section 4)"
     restir/di/combine.glsl di/spatial
-    [[mis *= S / (S + canonicalConfidence) * there / (canonicalConfidence * here.target + S * there);]]
+    [[mis *= rsPairwiseShare(weights, canonicalConfidence, S) * there / (canonicalConfidence * here.target + S * there);]]
     [[mis /= S + canonicalConfidence;]]
-    [[(sums.canonicalMis * S + cc) / (S + cc)]] [[cc / (S + cc)]])
+    [[sums.canonicalMis * share + 1.0 - share]] [[cc / (S + cc)]])
 
 restir_mutant(undefined_shift_skipped "where p^_i(Y_c) = 0 the term c_i / S of m_c is skipped (section 4)"
     restir/di/combine.glsl di/spatial
@@ -90,7 +90,7 @@ restir_mutant(basic_counts_everyone "1/M labelled 1/Z: pixels that cannot have t
 
 restir_mutant(defensive_part_unscaled "the canonical's defensive share is added without scaling the rest (section 4)"
     restir/di/combine.glsl di/spatial
-    [[(sums.canonicalMis * S + cc) / (S + cc)]] [[sums.canonicalMis + cc / (S + cc)]])
+    [[sums.canonicalMis * share + 1.0 - share]] [[sums.canonicalMis + 1.0 - share]])
 
 restir_mutant(larger_weight_wins "of the neighbours only the one with the largest W is taken (section 4, never on the outcome)"
     restir/di/spatial.glsl di/spatial
@@ -130,7 +130,7 @@ restir_mutant(growth_without_jacobian "W per area kept while the light grows, |J
     return RsNeighbour(rsLoadPreviousSurface(where.pixel), r, true);]])
 
 restir_mutant(cap_after_s "S is formed before the history is capped (section 2, counting)"
-    restir/di/temporal.glsl di/temporal
+    restir/di/history.glsl di/temporal
     [[where.confidence = float(rsConfidence(rsLoadHistory(where.pixel)));]]
     [[where.confidence = float(rsConfidence(rsReservoirs[rsPass.source].at[rsPreviousIndex(where.pixel)]));]])
 

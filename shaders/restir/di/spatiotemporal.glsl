@@ -2,7 +2,7 @@
 // back-projected pixel. The result is the canonical among last frame's reservoirs on a spiral around that pixel. (All at
 // once with the fresh one as canonical would be as unbiased, but pairwise weights lean on the canonical wherever a
 // neighbour cannot hold a sample, and one frame's candidates are little to lean on.)
-// Every neighbour lives in the previous frame: last frame's surfaces, camera and lights.
+// Every neighbour lives in the previous frame: last frame's surfaces, camera, lights and acceleration structure.
 #ifndef RESTIR_DI_SPATIOTEMPORAL_GLSL
 #define RESTIR_DI_SPATIOTEMPORAL_GLSL
 #include "restir/di/history.glsl"

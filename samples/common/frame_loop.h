@@ -17,6 +17,8 @@ struct Sequence {
     uint32_t seed = 0;         // sequences with different seeds are independent
     bool accumulate = false;   // the mean of all frames, each jittered over the pixel; else the last frame
     float orbitDegrees = 0;    // the camera's turn about its target from frame to frame
+    // Gets each frame's picture, in order: four floats a pixel. May be empty.
+    std::function<void(uint32_t index, std::span<const float> rgba)> eachFrame = {};
 };
 
 struct Frame {

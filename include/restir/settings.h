@@ -29,7 +29,8 @@ enum class DirectMode : uint8_t {
 
 struct DiSettings {
     DirectMode mode = DirectMode::Restir;
-    uint32_t lightCandidates = 16;   // [1, 65536] lights tried per pixel before reuse
+    uint32_t lightCandidates = 16;   // [1, 65536] lights tried per round before reuse
+    uint32_t initialSamples = 1;     // [1, 8] rounds; a shadow ray for the light that each of them chooses
     uint32_t bsdfCandidates = 1;     // [0, 8] directions tried, a ray each; 0 where nothing is glossy
     bool temporal = true;
     uint32_t maxHistory = 20;   // [0, 1000] frames a temporal reservoir may stand for

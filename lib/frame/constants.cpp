@@ -39,7 +39,8 @@ gpu::RsDiConstants diConstants(const DiSettings& di) noexcept {
             .depthThreshold = di.depthThreshold,
             .weights = uint32_t(di.weights),
             .visibility = uint32_t(di.visibility),
-            .boilingFilter = di.boilingFilter};
+            .boilingFilter = di.boilingFilter,
+            .initialSamples = di.initialSamples};
 }
 
 }   // namespace

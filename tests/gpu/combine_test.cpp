@@ -123,12 +123,14 @@ struct Mode {
     uint32_t weights = RS_WEIGHTS_PAIRWISE, visibility = RS_VISIBILITY_NONE;
     uint32_t bsdfCandidates = 0, planted = 0, nextEvent = 0;
     bool averaged = false;   // shade the mean of all inputs
+    uint32_t initialSamples = 1, lightCandidates = 4;
 
     friend std::ostream& operator<<(std::ostream& out, const Mode& m) {
         const char* weightNames[] = {"off", "basic", "balance", "pairwise", "plain"};
         const char* visibilityNames[] = {"none", "cached", "traced"};
         return out << weightNames[m.weights] << ", " << visibilityNames[m.visibility] << ", "
-                   << m.bsdfCandidates << " directions" << (m.averaged ? ", averaged" : "");
+                   << m.initialSamples << " rounds, " << m.bsdfCandidates << " directions"
+                   << (m.averaged ? ", averaged" : "");
     }
 };
 
@@ -148,10 +150,11 @@ struct Estimates {
 
 Estimates run(const Setting& setting, const Mode& mode, uint32_t seed) {
     Parameters p;
-    p.di = {.lightCandidates = 4,
+    p.di = {.lightCandidates = mode.lightCandidates,
             .bsdfCandidates = mode.bsdfCandidates,
             .weights = mode.weights,
-            .visibility = mode.visibility};
+            .visibility = mode.visibility,
+            .initialSamples = mode.initialSamples};
     p.seed = seed;
     p.neighbours = static_cast<uint32_t>(setting.surfaces.size()) - 1;
     p.previous = setting.previousLights.empty() ? 0 : 1;
@@ -244,6 +247,27 @@ TEST_F(Combine, FreshCandidatesAreUnbiased) {
     for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_CACHED, RS_VISIBILITY_TRACED})
         for (uint32_t directions : {0u, 1u, 3u})
             expectUnbiased(alone, {RS_WEIGHTS_PAIRWISE, visibility, directions});
+}
+
+// Every round has a chance of its own to find a light in view.
+TEST_F(Combine, RoundsAreUnbiasedAndQuieter) {
+    Setting alone = shadowed();
+    alone.surfaces.resize(1);
+    for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_CACHED, RS_VISIBILITY_TRACED})
+        for (uint32_t directions : {0u, 1u, 3u})
+            expectUnbiased(alone,
+                           {.visibility = visibility, .bsdfCandidates = directions, .initialSamples = 3});
+    for (uint32_t visibility : {RS_VISIBILITY_NONE, RS_VISIBILITY_TRACED})
+        for (uint32_t directions : {0u, 1u})
+            expectUnbiased(shadowed(),
+                           {.visibility = visibility, .bsdfCandidates = directions, .initialSamples = 2});
+
+    const Mode once{.visibility = RS_VISIBILITY_TRACED, .bsdfCandidates = 1, .lightCandidates = 8};
+    const Mode often{
+        .visibility = RS_VISIBILITY_TRACED, .bsdfCandidates = 1, .initialSamples = 4, .lightCandidates = 2};
+    for (int k = 0; k < 3; ++k)
+        EXPECT_LT(tests::meanOf(run(alone, often, 5).channels[k]).relativeError(),
+                  tests::meanOf(run(alone, once, 5).channels[k]).relativeError());
 }
 
 // The mean of all inputs has the same expectation as the one that is kept, and less noise.

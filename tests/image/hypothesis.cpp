@@ -50,6 +50,10 @@ std::vector<NamedSettings> unbiasedSettings() {
             }
         }
     }
+    restir::Settings rounds = base;
+    rounds.di.lightCandidates = 4;
+    rounds.di.initialSamples = 3;
+    all.push_back({"pairwise traced 3 rounds", rounds});
     restir::Settings ris = base;
     ris.di.temporal = false;
     ris.di.spatialPasses = 0;

@@ -50,6 +50,10 @@ restir::DiSettings withDirections(restir::DiSettings di, uint32_t lights, uint32
     di.bsdfCandidates = directions;
     return di;
 }
+restir::DiSettings withRounds(restir::DiSettings di, uint32_t rounds) {
+    di.initialSamples = rounds;
+    return di;
+}
 restir::DiSettings withSpatial(restir::DiSettings di) {
     di.spatialPasses = 1;
     di.radius = kSpatial.radius;
@@ -73,6 +77,12 @@ std::vector<Trial> trials() {
          alone(withDirections(with(kSpatial, pairwise, none), 2, 4)),
          {"misses_not_counted", "bsdf_density_without_count", "mixed_measures", "light_drawn_off_its_pdf",
           "coin_reused"}},
+        {"candidates in rounds",
+         near,
+         1,
+         64,
+         alone(withRounds(withDirections(with(kSpatial, pairwise, none), 2, 4), 3)),
+         {"one_round_counted"}},
         {"spatial, none",
          near,
          1,

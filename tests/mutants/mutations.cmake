@@ -4,25 +4,31 @@
 
 restir_mutant(misses_not_counted "light candidates without light are not counted (section 2)"
     restir/di/candidates.glsl di/candidates
-    [[    float sum = 0.0;
-]] [[    float sum = 0.0, misses = 0.0;
+    [[    chosen.sum = 0.0;
+]] [[    chosen.sum = 0.0;
+    float misses = 0.0;
 ]]
     [[        if (direct.target == 0.0 || light.selection <= 0.0) continue;]]
     [[        if (direct.target == 0.0 || light.selection <= 0.0) {
             misses += 1.0;
             continue;
         }]]
-    [[chosen.ucw = sum / chosen.direct.target;]]
-    [[chosen.ucw = sum / chosen.direct.target * float(candidates) / (float(candidates) - misses);]])
+    [[    return chosen;]]
+    [[    chosen.sum *= float(candidates) / (float(candidates) - misses);
+    return chosen;]])
 
 restir_mutant(bsdf_share_without_visibility
     "what directions cannot find, being occluded, is weighed as if they could, then reused (section 2)"
     restir/di/candidates.glsl di/candidates
-    [[if (visible && nb > 0.0)]] [[if (nb > 0.0)]])
+    [[pb = visible && nb > 0.0 ?]] [[pb = nb > 0.0 ?]])
 
 restir_mutant(bsdf_density_without_count "p_b instead of n_b p_b (section 2)"
     restir/di/candidates.glsl di/candidates
     [[+ bsdfCandidates * pdf)]] [[+ pdf)]])
+
+restir_mutant(one_round_counted "directions are weighed against the lights of one round of several (section 2)"
+    restir/di/candidates.glsl di/candidates
+    [[rsBsdfCandidate(s, direction, nl, nb)]] [[rsBsdfCandidate(s, direction, perRound, nb)]])
 
 restir_mutant(mixed_measures "p_b per solid angle beside p_l per area (section 1)"
     restir/di/candidates.glsl di/candidates

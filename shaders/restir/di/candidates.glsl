@@ -1,9 +1,11 @@
 // Fresh candidates in two stages (Talbot et al. 2005; Veach 1997).
-//   1. n_l lights from the power table, resampled by p^ / (n_l p_l); a shadow ray to the survivor finds its V.
-//   2. The survivor, weighted m_l = n_l p_l / (n_l p_l + n_b p_b V), against n_b BSDF directions that hit a light,
-//      weighted p^ / (n_l p_l + n_b p_b).
-// m_l + V m_b = 1 everywhere, so the reservoir covers occluded points too unless `kill` drops them, and either is
-// unbiased for its own target. A miss counts.
+//   1. n rounds of k lights from the power table, each resampled by p^ / (k p_l); a shadow ray to each survivor finds
+//      its V. With W = sum / p^ a survivor is an unbiased sample of all that is lit, occluded or not.
+//   2. The survivors, weighted m_r p^ W with m_r = k p_l / (n k p_l + n_b p_b V), against n_b BSDF directions that hit a
+//      light, weighted p^ / (n k p_l + n_b p_b): the balance heuristic over all n k + n_b candidates.
+// Where V = 1 the n equal m_r and the directions' share n_b p_b / (n k p_l + n_b p_b) add up to 1, where V = 0 the n m_r
+// alone do, each 1 / n. So the reservoir covers occluded points too unless `kill` drops them, and either is unbiased for
+// its own target. A miss counts. However many rounds there were, it is one pixel-frame of candidates: confidence 1.
 #ifndef RESTIR_DI_CANDIDATES_GLSL
 #define RESTIR_DI_CANDIDATES_GLSL
 #include "restir/di/direct.glsl"
@@ -14,17 +16,14 @@ uint rsBridgeLight(RsHit hit);   // light id of what was hit, RS_NO_LIGHT for no
 struct RsChosenLight {
     uint light;
     uint uv;
-    float ucw;
-    float selection;   // p_l of the chosen light
+    float sum;         // of the resampling weights: p^ W of the survivor; 0: none
+    float selection;   // its p_l
     RsDirect direct;
 };
 
 RsChosenLight rsResampleLights(RsSurface s, uint lightCount, uint candidates, inout RsRandom random) {
     RsChosenLight chosen;
-    chosen.light = RS_NO_LIGHT;
-    chosen.ucw = 0.0;
-    chosen.direct.target = 0.0;
-    float sum = 0.0;
+    chosen.sum = 0.0;
     for (uint i = 0u; lightCount > 0u && i < candidates; ++i) {
         uint id = rsSampleLight(lightCount, random);
         RsPackedLight light = rsLoadLight(id);
@@ -33,10 +32,10 @@ RsChosenLight rsResampleLights(RsSurface s, uint lightCount, uint candidates, in
         float coin = rsNext(random);
         if (direct.target == 0.0 || light.selection <= 0.0) continue;
         float weight = direct.target / (float(candidates) * light.selection);
-        sum += weight;
-        if (coin * sum < weight) chosen = RsChosenLight(id, uv, 0.0, light.selection, direct);
+        float sum = chosen.sum + weight;
+        if (coin * sum < weight) chosen = RsChosenLight(id, uv, sum, light.selection, direct);
+        chosen.sum = sum;
     }
-    if (chosen.direct.target > 0.0) chosen.ucw = sum / chosen.direct.target;
     return chosen;
 }
 
@@ -65,36 +64,43 @@ RsBsdfCandidate rsBsdfCandidate(RsSurface s, vec3 direction, float lightCandidat
     return RsBsdfCandidate(id, uv, weight, direct.target);
 }
 
-RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout RsRandom random) {
-    RsChosenLight survivor = rsResampleLights(s, lightCount, di.lightCandidates, random);
-    bool kill = di.visibility != RS_VISIBILITY_NONE;
-    if (di.bsdfCandidates == 0u && !kill)
-        return rsMakeReservoir(survivor.light, survivor.uv, survivor.ucw, 1u, 0u);
+// The second stage while it runs.
+struct RsFresh {
+    uint light;
+    uint uv;
+    float target;
+    float sum;
+};
 
-    float nl = float(di.lightCandidates), nb = float(di.bsdfCandidates);
-    uint light = survivor.light, uv = survivor.uv;
-    float target = survivor.direct.target, sum = 0.0;
-    if (survivor.ucw > 0.0) {
-        bool visible = rsUnoccluded(s, survivor.direct.incident);
-        float pb = 0.0;
-        if (visible && nb > 0.0)
-            pb = rsBridgeBsdfPdf(s, survivor.direct.incident.direction) * survivor.direct.incident.solidAngle;
-        float mis = nl * survivor.selection / (nl * survivor.selection + nb * pb);
-        if (visible || !kill) sum = mis * target * survivor.ucw;
+void rsOffer(inout RsFresh fresh, uint light, uint uv, float target, float weight, float coin) {
+    fresh.sum += weight;
+    if (coin * fresh.sum < weight) fresh = RsFresh(light, uv, target, fresh.sum);
+}
+
+RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout RsRandom random) {
+    bool kill = di.visibility != RS_VISIBILITY_NONE;
+    bool traced = kill || di.bsdfCandidates > 0u;   // else V changes nothing
+    float perRound = float(di.lightCandidates), nl = float(di.initialSamples) * perRound, nb = float(di.bsdfCandidates);
+    RsFresh fresh = RsFresh(RS_NO_LIGHT, 0u, 0.0, 0.0);
+    for (uint i = 0u; i < di.initialSamples; ++i) {
+        RsChosenLight survivor = rsResampleLights(s, lightCount, di.lightCandidates, random);
+        float coin = rsNext(random);
+        if (!(survivor.sum > 0.0)) continue;
+        RsIncident incident = survivor.direct.incident;
+        bool visible = !traced || rsUnoccluded(s, incident);
+        if (kill && !visible) continue;
+        float pb = visible && nb > 0.0 ? rsBridgeBsdfPdf(s, incident.direction) * incident.solidAngle : 0.0;
+        float mis = perRound * survivor.selection / (nl * survivor.selection + nb * pb);
+        rsOffer(fresh, survivor.light, survivor.uv, survivor.direct.target, mis * survivor.sum, coin);
     }
     for (uint i = 0u; lightCount > 0u && i < di.bsdfCandidates; ++i) {
         vec3 direction = rsBridgeSampleBsdf(s, vec3(rsNext2(random), rsNext(random)));
         RsBsdfCandidate found = rsBsdfCandidate(s, direction, nl, nb);
         float coin = rsNext(random);
-        if (found.weight <= 0.0) continue;
-        sum += found.weight;
-        if (coin * sum < found.weight) {
-            light = found.light;
-            uv = found.uv;
-            target = found.target;
-        }
+        if (found.weight > 0.0) rsOffer(fresh, found.light, found.uv, found.target, found.weight, coin);
     }
-    return sum > 0.0 ? rsMakeReservoir(light, uv, sum / target, 1u, 0u) : rsEmptyReservoir(1u);
+    return fresh.sum > 0.0 ? rsMakeReservoir(fresh.light, fresh.uv, fresh.sum / fresh.target, 1u, 0u)
+                           : rsEmptyReservoir(1u);
 }
 
 #endif

@@ -9,6 +9,9 @@ PassInfo candidates(uint32_t target) noexcept;
 PassInfo temporal(uint32_t history, uint32_t target) noexcept;   // rewrites its own pixel of `target`
 PassInfo boiling(uint32_t buffer) noexcept;   // cuts outliers back
 PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
+// The two halves of a spatial pass between partners; both belong to pass `index`.
+PassInfo pairTargets(uint32_t source, uint32_t index) noexcept;
+PassInfo pairSpatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
 PassInfo shade(uint32_t buffer) noexcept;
 PassInfo nextEvent() noexcept;
 PassInfo debug(uint32_t buffer, uint32_t lastSpatial) noexcept;   // shows `buffer`, and whom that spatial pass asked

@@ -23,11 +23,13 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 8> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 10> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.boiling"},
                                        {"di.spatial"},
+                                       {"di.pair_targets"},
+                                       {"di.pair_spatial"},
                                        {"di.shade"},
                                        {"di.debug"},
                                        {"di.next_event"}}};

@@ -31,8 +31,12 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
     if (remembers && di.boilingFilter > 0) add(di::boiling(current));
     const bool averages = di.averageShading && di.spatialPasses > 0 && di.visibility == VisibilityReuse::Traced &&
                           (di.weights == Weights::Pairwise || di.weights == Weights::Off);
+    const bool paired = di.pairedNeighbours && di.weights == Weights::Pairwise;
     for (uint32_t i = 0; i < di.spatialPasses; ++i) {
-        add(di::spatial(current, 1 - current, i, averages && i + 1 == di.spatialPasses));
+        const bool shades = averages && i + 1 == di.spatialPasses;
+        if (paired) add(di::pairTargets(current, i));
+        add(paired ? di::pairSpatial(current, 1 - current, i, shades)
+                   : di::spatial(current, 1 - current, i, shades));
         current = 1 - current;
     }
     if (!averages) add(di::shade(current));

@@ -23,6 +23,7 @@ struct RsDiConstants {
     uint weights;              // RS_WEIGHTS_*
     uint visibility;           // RS_VISIBILITY_*
     float boilingFilter;       // [0, 1]
+    uint partnerSquare;        // pixels, even: edge of the squares that partners are drawn in
 };
 
 RS_SHARED_END

@@ -39,6 +39,7 @@ FILL fillDi(RS_INOUT(RsDiConstants) s, int b) {
     s.weights = U(b + 7);
     s.visibility = U(b + 8);
     s.boilingFilter = F(b + 9);
+    s.partnerSquare = U(b + 10);
 }
 
 FILL fillView(RS_INOUT(RsView) s, int b) {

@@ -10,6 +10,9 @@ PassInfo temporal(uint32_t history, uint32_t target) noexcept;   // rewrites its
 PassInfo spatiotemporal(uint32_t history, uint32_t target, bool shades) noexcept;   // likewise
 PassInfo boiling(uint32_t buffer) noexcept;   // cuts outliers back
 PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
+// The two halves of a spatial pass between partners; both belong to pass `index`.
+PassInfo pairTargets(uint32_t source, uint32_t index) noexcept;
+PassInfo pairSpatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
 PassInfo shade(uint32_t buffer) noexcept;
 PassInfo nextEvent() noexcept;
 PassInfo debug(uint32_t buffer, uint32_t lastSpatial) noexcept;   // shows `buffer`, and whom that spatial pass asked

@@ -49,7 +49,7 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
     if (Status s = range("bsdfCandidates", di.bsdfCandidates, 0, 8); s != Status::Ok) return s;
     if (Status s = range("maxHistory", di.maxHistory, 0, 1000); s != Status::Ok) return s;
     if (Status s = range("spatialPasses", di.spatialPasses, 0, kMaxSpatialPasses); s != Status::Ok) return s;
-    if (Status s = range("neighbours", di.neighbours, 1, 16); s != Status::Ok) return s;
+    if (Status s = range("neighbours", di.neighbours, 1, kMaxNeighbours); s != Status::Ok) return s;
     if (!(di.radius > 0 && di.radius <= 1e4f))
         return refuse(sink, "restir: DiSettings::radius is %g, must be in (0, 10000]", double(di.radius));
     if (!(di.normalThreshold >= -1 && di.normalThreshold <= 1))
@@ -132,7 +132,13 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
     if (Status status = checkImages(sink, frame, s.context->ownsSceneLayout); status != Status::Ok) return status;
     if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
     if (Status status = checkDebug(sink, frame, settings); status != Status::Ok) return status;
-    return checkSettings(sink, settings.di);
+    if (Status status = checkSettings(sink, settings.di); status != Status::Ok) return status;
+    if (settings.di.pairedNeighbours && settings.di.neighbours > s.desc.pairedNeighbours)
+        return refuse(
+            sink,
+            "restir: DiSettings::pairedNeighbours with %u neighbours, SessionDesc::pairedNeighbours is %u",
+            settings.di.neighbours, s.desc.pairedNeighbours);
+    return Status::Ok;
 }
 
 bool historyUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {

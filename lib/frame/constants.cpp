@@ -1,5 +1,8 @@
 #include <frame/constants.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <glm/glm.hpp>
 
 #include <device/internals.h>
@@ -29,6 +32,12 @@ uint32_t flagsOf(const FrameInput& frame, const Settings& settings) noexcept {
     return flags;
 }
 
+// Two points of a square with edge n are n^2 / 3 apart in the mean square, points of a disc r^2 / 2 from its
+// centre.
+uint32_t partnerSquare(float radius) noexcept {
+    return 2 * std::max(uint32_t(std::lround(radius * 0.61237f)), 1u);
+}
+
 gpu::RsDiConstants diConstants(const DiSettings& di) noexcept {
     return {.lightCandidates = di.lightCandidates,
             .bsdfCandidates = di.bsdfCandidates,
@@ -40,7 +49,8 @@ gpu::RsDiConstants diConstants(const DiSettings& di) noexcept {
             .weights = uint32_t(di.weights),
             .visibility = uint32_t(di.visibility),
             .boilingFilter = di.boilingFilter,
-            .initialSamples = di.initialSamples};
+            .initialSamples = di.initialSamples,
+            .partnerSquare = partnerSquare(di.radius)};
 }
 
 }   // namespace

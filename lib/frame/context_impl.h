@@ -23,12 +23,14 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 9> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 11> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatiotemporal"},
                                        {"di.boiling"},
                                        {"di.spatial"},
+                                       {"di.pair_targets"},
+                                       {"di.pair_spatial"},
                                        {"di.shade"},
                                        {"di.debug"},
                                        {"di.next_event"}}};

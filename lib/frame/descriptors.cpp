@@ -76,6 +76,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.accelerationStructure(RS_BIND_PREVIOUS_TLAS, frame.previousTlas ? frame.previousTlas : frame.tlas);
     w.buffer(RS_BIND_COUNTERS, s.buffer(Counters));
     w.buffer(RS_BIND_RAY_LOG, s.buffer(RayLog));
+    w.buffer(RS_BIND_NOTES, s.buffer(Notes));
     const GBuffer& g = frame.gbuffer;
     w.image(RS_BIND_DEPTH, g.depth.view, g.depth.layout);
     w.image(RS_BIND_NORMAL, g.normal.view, g.normal.layout);

@@ -44,8 +44,13 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
     if (fused) add(di::spatiotemporal(history, current, averages && spatialPasses == 0));
     else if (remembers) add(di::temporal(history, current));
     if (filters) add(di::boiling(current));
+    const bool paired =
+        di.pairedNeighbours && (di.weights == Weights::Pairwise || di.weights == Weights::PairwisePlain);
     for (uint32_t i = 0; i < spatialPasses; ++i) {
-        add(di::spatial(current, 1 - current, i, averages && i + 1 == spatialPasses));
+        const bool shades = averages && i + 1 == spatialPasses;
+        if (paired) add(di::pairTargets(current, i));
+        add(paired ? di::pairSpatial(current, 1 - current, i, shades)
+                   : di::spatial(current, 1 - current, i, shades));
         current = 1 - current;
     }
     if (!averages) add(di::shade(current));

@@ -14,11 +14,21 @@ namespace {
 // Vulkan guarantees.
 constexpr VkDeviceSize kSurfaceBytes = 16, kMoreBytes = 8, kSurfaceFrameBytes = 8;
 
+// The targets of a pixel's own sample and of its partners', two bytes each, in whole words
+// (passes/notes.glsl).
+constexpr VkDeviceSize noteBytes(const SessionDesc& desc) noexcept {
+    return desc.pairedNeighbours == 0 ? 0 : 4 * (desc.pairedNeighbours / 2 + 1);
+}
+
 Status checkDesc(const Context::Impl& c, const SessionDesc& desc) noexcept {
     const VkExtent2D e = desc.maxExtent;
     if (e.width == 0 || e.height == 0)
         return refuse(c.device.sink(), "restir: SessionDesc::maxExtent is %u x %u", e.width, e.height);
-    const VkDeviceSize pixels = c.device.limits.maxStorageBufferRange / kSurfaceBytes;
+    if (desc.pairedNeighbours > kMaxNeighbours)
+        return refuse(c.device.sink(), "restir: SessionDesc::pairedNeighbours is %u, must be in [0, %u]",
+                      desc.pairedNeighbours, kMaxNeighbours);
+    const VkDeviceSize pixels =
+        c.device.limits.maxStorageBufferRange / std::max(kSurfaceBytes, noteBytes(desc));
     if (VkDeviceSize(e.width) * e.height > pixels)
         return refuse(c.device.sink(), "restir: SessionDesc::maxExtent is %u x %u, this device takes %llu pixels", e.width,
                       e.height, static_cast<unsigned long long>(pixels));
@@ -80,6 +90,7 @@ std::vector<BufferRequest> sessionRequests(const Context::Impl& c, const Session
         {pixels * sizeof(gpu::RsReservoir), storage, device, "reservoirs B"},
         {sizeof(gpu::RsCounters), counted, device, "counters"},
         {std::max(desc.rayLogCapacity, 1u) * sizeof(gpu::RsLoggedRay), counted, device, "ray log"},
+        {std::max(pixels * noteBytes(desc), VkDeviceSize{4}), storage, device, "partners' targets"},
     };
     for (uint32_t i = 0; i < c.framesInFlight; ++i) {
         requests.push_back(
@@ -111,8 +122,11 @@ Result<Session> Session::create(const Context& context, const SessionDesc& desc)
     auto buffers = Buffers::create(c.device, requests);
     if (!buffers) return buffers.error();
     impl->buffers = std::move(*buffers);
-    for (size_t i = 0; i < requests.size(); ++i)
-        impl->report.push_back({requests[i].name, requests[i].size, i < size_t(SessionBuffer::Counters)});
+    for (size_t i = 0; i < requests.size(); ++i) {
+        const bool notes = i == size_t(SessionBuffer::Notes) && desc.pairedNeighbours > 0;
+        impl->report.push_back(
+            {requests[i].name, requests[i].size, i < size_t(SessionBuffer::Counters) || notes});
+    }
     if (VkResult vk = makeSets(*impl); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "allocating the frames' descriptor sets failed", vk);
     if (VkResult vk = makeQueries(*impl); vk != VK_SUCCESS)

@@ -22,6 +22,7 @@ enum class SessionBuffer : size_t {
     Reservoirs1,
     Counters,
     RayLog,   // always there, so that the binding is: one ray where no log was asked for
+    Notes,    // likewise: one word where pairedNeighbours is 0
     FirstSlot,
 };
 
@@ -59,7 +60,8 @@ struct Session::Impl {
 };
 
 inline constexpr uint32_t kMaxSpatialPasses = 8;
-inline constexpr uint32_t kMaxTimedPasses = 6 + kMaxSpatialPasses;
+inline constexpr uint32_t kMaxNeighbours = 16;
+inline constexpr uint32_t kMaxTimedPasses = 6 + 2 * kMaxSpatialPasses;
 
 std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
 

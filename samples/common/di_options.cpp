@@ -106,6 +106,8 @@ const std::vector<DiOption>& diOptions() {
         number("neighbours", &DiSettings::neighbours, "of each spatial pass (5)"),
         onOff("fused", &DiSettings::fused, "temporal and spatial reuse in one pass (off)"),
         number("radius", &DiSettings::radius, "of spatial reuse (30)", "PX"),
+        onOff("paired-neighbours", &DiSettings::pairedNeighbours,
+              "neighbours in pairs that share rays and targets (off)"),
         number("normal-threshold", &DiSettings::normalThreshold,
                "least cosine between the normals of surfaces that share samples (0.9)"),
         number("depth-threshold", &DiSettings::depthThreshold,
@@ -161,6 +163,9 @@ DiSettings parseDi(std::string_view text, DiSettings base) {
     return base;
 }
 
-void declareFor(const DiSettings&, restir::SessionDesc&) {}
+void declareFor(const DiSettings& settings, restir::SessionDesc& desc) {
+    if (settings.pairedNeighbours)
+        desc.pairedNeighbours = std::max(desc.pairedNeighbours, settings.neighbours);
+}
 
 }   // namespace samples

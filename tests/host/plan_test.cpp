@@ -37,6 +37,8 @@ std::vector<Settings> allSettings() {
         all.push_back(all[i]);
         all.back().di.fused = true;
     }
+    for (uint32_t spatial : {1u, 3u})
+        all.push_back({.di = {.spatialPasses = spatial, .pairedNeighbours = true}});
     all.push_back({.di = {.mode = DirectMode::NextEvent}});
     return all;
 }
@@ -90,6 +92,10 @@ bool readsHistory(const PassInfo& pass) {
 
 Resource reservoirBuffer(uint32_t i) { return i == 0 ? Resource::ReservoirsA : Resource::ReservoirsB; }
 
+bool isSpatial(const PassInfo& pass) {
+    return std::string(pass.name) == "di.spatial" || std::string(pass.name) == "di.pair_spatial";
+}
+
 TEST(Plan, OrderOfStages) {
     using Names = std::vector<std::string>;
     const auto order = [](bool history, const Settings& s) {
@@ -113,6 +119,31 @@ TEST(Plan, OrderOfStages) {
     EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent}}), (Names{"surface.pack", "di.next_event"}));
     EXPECT_EQ(order(true, {.debugView = DebugView::Age}),
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.debug"}));
+    EXPECT_EQ(order(true, {.di = {.spatialPasses = 2, .pairedNeighbours = true}}),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.pair_targets", "di.pair_spatial",
+                     "di.pair_targets", "di.pair_spatial"}));
+    EXPECT_EQ(order(false, {.di = {.pairedNeighbours = true, .visibility = VisibilityReuse::None}}),
+              (Names{"surface.pack", "di.candidates", "di.pair_targets", "di.pair_spatial", "di.shade"}));
+    EXPECT_EQ(order(false, {.di = {.pairedNeighbours = true, .weights = Weights::Balance}}),
+              (Names{"surface.pack", "di.candidates", "di.spatial", "di.shade"}));
+}
+
+// Both halves are of one pass: they draw the same partners.
+TEST(Plan, PartnersAreOfOnePass) {
+    const Plan plan = makePlan({kExtent, true, 0}, {.di = {.spatialPasses = 3, .pairedNeighbours = true}});
+    const PassInfo* targets = nullptr;
+    uint32_t next = 0;
+    for (const PassInfo& pass : plan.passes) {
+        if (std::string(pass.name) == "di.pair_targets") targets = &pass;
+        if (std::string(pass.name) != "di.pair_spatial") continue;
+        ASSERT_NE(targets, nullptr);
+        EXPECT_EQ(pass.index, targets->index);
+        EXPECT_EQ(pass.source, targets->source);
+        EXPECT_TRUE(uses(*targets, Resource::Notes, true));
+        EXPECT_TRUE(uses(pass, Resource::Notes, false));
+        EXPECT_EQ(pass.index, next++);
+    }
+    EXPECT_EQ(next, 3u);
 }
 
 // One pass for two; a frame without history has no more to fuse than one without either kind of reuse.
@@ -141,7 +172,7 @@ TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
             const bool last = &pass == &plan.passes.back() - (shows ? 1 : 0);
             EXPECT_EQ(uses(pass, Resource::DebugOutput, true), shows && &pass == &plan.passes.back());
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
-            if (std::string(pass.name) == "di.spatial" || std::string(pass.name) == "di.spatiotemporal") {
+            if (isSpatial(pass) || std::string(pass.name) == "di.spatiotemporal") {
                 EXPECT_EQ(pass.shades, last);
             }
         }
@@ -170,7 +201,7 @@ TEST(Plan, PassesReadNeighboursOnlyInBuffersTheyDoNotWrite) {
     for (const Plan& plan : allPlans()) {
         for (const PassInfo& pass : plan.passes) {
             const std::string name = pass.name;
-            if (!readsHistory(pass) && name != "di.spatial") continue;
+            if (!readsHistory(pass) && !isSpatial(pass)) continue;
             EXPECT_NE(pass.source, pass.target) << name;
             EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false)) << name;
             EXPECT_FALSE(uses(pass, reservoirBuffer(pass.source), true)) << name;
@@ -189,7 +220,7 @@ TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
                 EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target), true));
             } else if (readsHistory(pass)) {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
-            } else if (name == "di.spatial") {
+            } else if (isSpatial(pass) || name == "di.pair_targets") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
             } else if (name == "di.shade") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);

@@ -65,7 +65,9 @@ HostView::~HostView() { device().waitIdle(); }
 
 void HostView::newSession() {
     session_.reset();
-    const restir::SessionDesc info{.maxExtent = desc_.maxExtent, .rayLogCapacity = desc_.rayLogCapacity};
+    const restir::SessionDesc info{.maxExtent = desc_.maxExtent,
+                                   .pairedNeighbours = desc_.pairedNeighbours,
+                                   .rayLogCapacity = desc_.rayLogCapacity};
     session_ = made(restir::Session::create(*context_, info), "Session");
 }
 

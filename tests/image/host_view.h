@@ -18,6 +18,7 @@ struct HostDesc {
     restir::MemoryProvider memory = {};
     uint32_t rayLogCapacity = 0;
     bool allOutputs = false;   // else radiance alone
+    uint32_t pairedNeighbours = 0;
     const restir::ShaderPack* shaders = nullptr;   // null: the library's
 };
 

@@ -135,5 +135,23 @@ TEST_F(Memory, EightyEightBytesAPixel) {
     EXPECT_LE(needed, all + VkDeviceSize{256} * view88->session().memory().size());
 }
 
+// Two bytes for each partner and one more, in whole words.
+TEST_F(Memory, PartnersTakeWhatIsDeclared) {
+    const std::unique_ptr<HostView> plain = host();
+    const VkDeviceSize without = restir::Session::memoryNeeded(plain->context(), {.maxExtent = kExtent});
+    for (auto [neighbours, bytes] :
+         {std::pair(1u, 4u), std::pair(4u, 12u), std::pair(5u, 12u), std::pair(16u, 36u)}) {
+        const restir::SessionDesc desc{.maxExtent = kExtent, .pairedNeighbours = neighbours};
+        const VkDeviceSize needed = restir::Session::memoryNeeded(plain->context(), desc);
+        EXPECT_NEAR(double(needed - without), double(bytes) * kExtent.width * kExtent.height, 256);
+        const auto session = restir::Session::create(plain->context(), desc);
+        ASSERT_TRUE(session);
+        VkDeviceSize perPixel = 0;
+        for (const restir::BufferInfo& buffer : session->memory())
+            perPixel += buffer.perPixel ? buffer.bytes : 0;
+        EXPECT_EQ(perPixel, VkDeviceSize{88 + bytes} * kExtent.width * kExtent.height);
+    }
+}
+
 }   // namespace
 }   // namespace tests

@@ -97,6 +97,8 @@ const BadFrame kBadFrames[] = {
     {"spatialPasses", [](FrameInput&, Settings& s) { s.di.spatialPasses = 9; }},
     {"neighbours", [](FrameInput&, Settings& s) { s.di.neighbours = 0; }},
     {"neighbours", [](FrameInput&, Settings& s) { s.di.neighbours = 17; }},
+    {"pairedNeighbours",
+     [](FrameInput&, Settings& s) { s.di.pairedNeighbours = true; }},   // but not declared
     {"radius", [](FrameInput&, Settings& s) { s.di.radius = 0; }},
     {"radius", [](FrameInput&, Settings& s) { s.di.radius = kNan; }},
     {"normalThreshold", [](FrameInput&, Settings& s) { s.di.normalThreshold = 1.1f; }},
@@ -157,6 +159,10 @@ TEST_F(Refusal, Sessions) {
         ASSERT_FALSE(session);
         expectRefusal(session.error().status, "maxExtent");
     }
+    const auto many =
+        restir::Session::create(host->context(), {.maxExtent = kExtent, .pairedNeighbours = 17});
+    ASSERT_FALSE(many);
+    expectRefusal(many.error().status, "pairedNeighbours");
     const auto table = restir::LightTable::create(host->context(), {.maxLights = (1u << 20) + 1});
     ASSERT_FALSE(table);
     expectRefusal(table.error().status, "maxLights");

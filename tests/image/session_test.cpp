@@ -27,7 +27,8 @@ protected:
         host = makeHost();
     }
     std::unique_ptr<HostView> makeHost(const restir::MemoryProvider& memory = {}) const {
-        return std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent, .memory = memory});
+        return std::make_unique<HostView>(
+            *scene, view, HostDesc{.maxExtent = kExtent, .memory = memory, .pairedNeighbours = 8});
     }
     samples::FloatImage frames(uint32_t first, uint32_t count, uint32_t seed = 0) {
         const samples::FloatImage image = host->frames(first, count, settings, seed);
@@ -94,6 +95,43 @@ TEST_F(SessionTest, ExtentsUpToTheLargest) {
     for (float v : frames(index, 1).rgb) mean += double(v);
     for (float v : cut(index).rgb) reset += double(v);
     EXPECT_NEAR(mean / reset, 1, 0.2);
+}
+
+// In pairs every kind of reuse goes on, whatever the extent, and the buffers that were declared suffice.
+TEST_F(SessionTest, PartnersAtAnyExtent) {
+    settings.di.pairedNeighbours = true;
+    uint32_t index = 0;
+    for (VkExtent2D extent : std::initializer_list<VkExtent2D>{kExtent, {17, 9}, {1, 1}, {1, 24}, kExtent}) {
+        SCOPED_TRACE(std::to_string(extent.width) + " x " + std::to_string(extent.height));
+        host->resize(extent);
+        for (uint32_t neighbours : {1u, 4u, 8u}) {
+            settings.di.neighbours = neighbours;
+            settings.di.spatialPasses = 1 + neighbours % 3;
+            EXPECT_GT(largest(frames(index++, 1)), 0);
+        }
+    }
+    settings.di.neighbours = 5;
+    const samples::FloatImage image = frames(index, 1);
+    double mean = 0, single = 0, reset = 0;
+    for (float v : image.rgb) mean += double(v);
+    for (float v : cut(index).rgb) reset += double(v);
+    EXPECT_NEAR(mean / reset, 1, 0.2);
+    settings.di.pairedNeighbours = false;
+    for (float v : cut(index).rgb) single += double(v);
+    EXPECT_NEAR(single / reset, 1, 0.2);
+}
+
+TEST_F(SessionTest, PartnersShareRays) {
+    settings.counters = true;
+    settings.di.temporal = false;
+    const auto raysOf = [&](uint32_t passes, bool paired) {
+        settings.di.spatialPasses = passes;
+        settings.di.pairedNeighbours = paired;
+        frames(0, 1);
+        return double(host->session().counters(0).rays);
+    };
+    const double none = raysOf(0, false);   // candidates; nothing is left to trace in shading
+    EXPECT_NEAR((raysOf(1, true) - none) / (raysOf(1, false) - none), 0.5, 0.1);
 }
 
 TEST_F(SessionTest, PlanDoesNotAdvanceHistory) {

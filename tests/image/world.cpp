@@ -16,7 +16,10 @@ World::World(samples::SceneData scene, VkExtent2D extent) : extent_(extent) {
 }
 
 samples::Renderer& World::renderer() {
-    if (!renderer_) renderer_ = std::make_unique<samples::Renderer>(device(), *scene_, extent_);
+    if (!renderer_) {
+        const restir::SessionDesc session{.pairedNeighbours = 16};
+        renderer_ = std::make_unique<samples::Renderer>(device(), *scene_, extent_, session);
+    }
     return *renderer_;
 }
 

@@ -94,16 +94,17 @@ RS_SHARED_END
 #define RS_BIND_PREVIOUS_TLAS 11       // the current one where the host gives none
 #define RS_BIND_COUNTERS 12
 #define RS_BIND_RAY_LOG 13
-#define RS_BIND_DEPTH 14
-#define RS_BIND_NORMAL 15
-#define RS_BIND_GEOMETRIC_NORMAL 16
-#define RS_BIND_BASE_COLOR 17
-#define RS_BIND_MATERIAL 18
-#define RS_BIND_MOTION 19
-#define RS_BIND_EMISSION 20
-#define RS_BIND_RADIANCE 21
-#define RS_BIND_DEBUG 22             // from RADIANCE on: storage images
-#define RS_BIND_COUNT 23
+#define RS_BIND_NOTES 14              // uint: targets of partners' samples, two in a word
+#define RS_BIND_DEPTH 15
+#define RS_BIND_NORMAL 16
+#define RS_BIND_GEOMETRIC_NORMAL 17
+#define RS_BIND_BASE_COLOR 18
+#define RS_BIND_MATERIAL 19
+#define RS_BIND_MOTION 20
+#define RS_BIND_EMISSION 21
+#define RS_BIND_RADIANCE 22
+#define RS_BIND_DEBUG 23             // from RADIANCE on: storage images
+#define RS_BIND_COUNT 24
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

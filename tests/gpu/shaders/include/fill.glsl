@@ -40,6 +40,7 @@ FILL fillDi(RS_INOUT(RsDiConstants) s, int b) {
     s.visibility = U(b + 8);
     s.boilingFilter = F(b + 9);
     s.initialSamples = U(b + 10);
+    s.partnerSquare = U(b + 11);
 }
 
 FILL fillView(RS_INOUT(RsView) s, int b) {

@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "passes/bindings.glsl"
+#include "passes/notes.glsl"
+#include "passes/output.glsl"
+#include "restir/di/pair_spatial.glsl"
+
+void main() {
+    if (!rsInside()) return;
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    RsSurface s = rsLoadSurface(pixel);
+    RsReservoir canonical = rsLoadSource(pixel);
+    bool shades = rsPass.shades != 0u;
+    RsCombined combined = RsCombined(canonical, vec3(0.0));
+    if (s.valid)
+        combined = rsDiPairSpatial(s, canonical, pixel, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index, shades, rsFrame.di);
+    rsReservoirs[rsPass.target].at[rsIndex(pixel)] = combined.reservoir;
+    if (shades) rsWriteRadiance(pixel, combined.radiance);
+}

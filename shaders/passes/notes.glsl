@@ -1,0 +1,13 @@
+// What paired spatial reuse keeps from its first half for its second: 1 + neighbours notes a pixel, two in a word.
+layout(set = RS_SET, binding = RS_BIND_NOTES, scalar) buffer RsNotes { uint rsNotes[]; };
+
+uint rsNoteWord(uvec2 pixel, uint number) {
+    return rsIndex(pixel) * (rsFrame.di.neighbours / 2u + 1u) + number / 2u;
+}
+uint rsLoadNote(uvec2 pixel, uint number) {
+    return rsNotes[rsNoteWord(pixel, number)] >> 16u * (number & 1u) & 0xffffu;
+}
+void rsStoreNote(uvec2 pixel, uint number, uint note) {
+    uint word = rsNoteWord(pixel, number);
+    rsNotes[word] = (number & 1u) == 0u ? note : rsNotes[word] & 0xffffu | note << 16u;
+}

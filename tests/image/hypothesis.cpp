@@ -50,12 +50,10 @@ std::vector<NamedSettings> unbiasedSettings() {
             }
         }
     }
-<<<<<<< HEAD
     restir::Settings rounds = base;
     rounds.di.lightCandidates = 4;
     rounds.di.initialSamples = 3;
     all.push_back({"pairwise traced 3 rounds", rounds});
-=======
     restir::Settings paired = base;
     paired.di.pairedNeighbours = true;
     all.push_back({"paired traced", paired});
@@ -66,7 +64,6 @@ std::vector<NamedSettings> unbiasedSettings() {
     all.push_back({"paired traced, two passes, one shaded", paired});
     paired.di.visibility = VisibilityReuse::None;
     all.push_back({"paired none, two passes", paired});
->>>>>>> paired
     restir::Settings ris = base;
     ris.di.temporal = false;
     ris.di.spatialPasses = 0;

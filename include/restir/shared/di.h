@@ -23,11 +23,8 @@ struct RsDiConstants {
     uint weights;              // RS_WEIGHTS_*
     uint visibility;           // RS_VISIBILITY_*
     float boilingFilter;       // [0, 1]
-<<<<<<< HEAD
     uint initialSamples;
-=======
     uint partnerSquare;        // pixels, even: edge of the squares that partners are drawn in
->>>>>>> paired
 };
 
 RS_SHARED_END

@@ -25,6 +25,8 @@ uint32_t flagsOf(const FrameInput& frame, const Settings& settings) noexcept {
     if (frame.gbuffer.material.view) flags |= RS_FRAME_MATERIAL;
     if (frame.gbuffer.emission.view) flags |= RS_FRAME_EMISSION;
     if (frame.gbuffer.depthKind == DepthKind::Linear) flags |= RS_FRAME_LINEAR_DEPTH;
+    if (frame.output.diffuse) flags |= RS_FRAME_DIFFUSE;
+    if (frame.output.specular) flags |= RS_FRAME_SPECULAR;
     if (settings.counters) flags |= RS_FRAME_COUNT;
     return flags;
 }

@@ -114,9 +114,7 @@ TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
             const bool last = &pass == &plan.passes.back() - (shows ? 1 : 0);
             EXPECT_EQ(uses(pass, Resource::DebugOutput, true), shows && &pass == &plan.passes.back());
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
-            if (std::string(pass.name) == "di.spatial") {
-                EXPECT_EQ(pass.shades, last);
-            }
+            EXPECT_EQ(pass.shades, last) << pass.name;
         }
 }
 

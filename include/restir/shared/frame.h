@@ -45,7 +45,7 @@ struct RsPass {
     uint source;   // reservoir buffer the pass reads
     uint target;   // and the one it writes
     uint index;    // of this pass among its like: decorrelates random numbers
-    uint shades;   // di.spatial: 1 if it writes the outputs, too
+    uint shades;   // 1: writes the outputs
 };
 
 // Sums over a frame, for reports and tests; written only with RS_FRAME_COUNT.
@@ -70,6 +70,8 @@ RS_SHARED_END
 #define RS_FRAME_EMISSION 16u
 #define RS_FRAME_LINEAR_DEPTH 32u
 #define RS_FRAME_COUNT 64u
+#define RS_FRAME_DIFFUSE 128u          // output image is bound
+#define RS_FRAME_SPECULAR 256u
 
 #define RS_NORMAL_XYZ 0u               // xyz, signed
 #define RS_NORMAL_XYZ_UNORM 1u         // xyz, 0.5 + 0.5 n
@@ -103,7 +105,9 @@ RS_SHARED_END
 #define RS_BIND_EMISSION 20
 #define RS_BIND_RADIANCE 21
 #define RS_BIND_DEBUG 22             // from RADIANCE on: storage images
-#define RS_BIND_COUNT 23
+#define RS_BIND_DIFFUSE 23
+#define RS_BIND_SPECULAR 24
+#define RS_BIND_COUNT 25
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

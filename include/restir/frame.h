@@ -85,6 +85,13 @@ struct Output {
     // decides by rsBridgeLobes; without, all of it is in diffuse, with factor 1.
     VkImageView diffuse = VK_NULL_HANDLE;
     VkImageView specular = VK_NULL_HANDLE;
+    // Optional, for denoisers; one more pass, and a ray a pixel unless VisibilityReuse::None. x: confidence M after
+    // temporal reuse, in pixel-frames: 1 without history, at most maxHistory + 1. y in [0, 1]: how much of the pixel's light
+    // changed since the last frame, z / w with z = int |now - then| and w = int max(now, then) in luminance times
+    // exposure, from one sample of each: noisy, so filter z and w over pixels where two channels more can be had. 0 in a
+    // static scene, 1 where the last frame is not known, blind to light that a blocker sets free. Needs
+    // DirectMode::Restir.
+    VkImageView gradient = VK_NULL_HANDLE;
     VkImageView debug = VK_NULL_HANDLE;      // required with Settings::debugView, else left alone
     VkOffset2D origin = {0, 0};              // of the view's rectangle inside them
 };

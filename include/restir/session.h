@@ -44,6 +44,7 @@ enum class Resource : uint8_t {
     ReservoirsA,
     ReservoirsB,
     Outputs,
+    GradientOutput,
     DebugOutput,
 };
 

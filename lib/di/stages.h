@@ -10,6 +10,7 @@ PassInfo temporal(uint32_t history, uint32_t target) noexcept;   // rewrites its
 PassInfo boiling(uint32_t buffer) noexcept;   // cuts outliers back
 PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
 PassInfo shade(uint32_t buffer) noexcept;
+PassInfo gradient(uint32_t history, uint32_t current) noexcept;   // before spatial reuse overwrites `history`
 PassInfo nextEvent() noexcept;
 PassInfo debug(uint32_t buffer, uint32_t lastSpatial) noexcept;   // shows `buffer`, and whom that spatial pass asked
 

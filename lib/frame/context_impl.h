@@ -23,12 +23,13 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 8> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 9> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.boiling"},
                                        {"di.spatial"},
                                        {"di.shade"},
+                                       {"di.gradient"},
                                        {"di.debug"},
                                        {"di.next_event"}}};
 

@@ -87,6 +87,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.image(RS_BIND_RADIANCE, frame.output.radiance, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_DIFFUSE, frame.output.diffuse, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_SPECULAR, frame.output.specular, VK_IMAGE_LAYOUT_GENERAL);
+    w.image(RS_BIND_GRADIENT, frame.output.gradient, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_DEBUG, frame.output.debug, VK_IMAGE_LAYOUT_GENERAL);
     w.flush(s.device());
 }

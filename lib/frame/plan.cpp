@@ -29,6 +29,7 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
     const bool remembers = di.temporal && input.history;
     if (remembers) add(di::temporal(history, current));
     if (remembers && di.boilingFilter > 0) add(di::boiling(current));
+    if (input.gradient) add(di::gradient(history, current));
     const bool averages = di.averageShading && di.spatialPasses > 0 && di.visibility == VisibilityReuse::Traced &&
                           (di.weights == Weights::Pairwise || di.weights == Weights::Off);
     for (uint32_t i = 0; i < di.spatialPasses; ++i) {

@@ -59,7 +59,7 @@ struct Session::Impl {
 };
 
 inline constexpr uint32_t kMaxSpatialPasses = 8;
-inline constexpr uint32_t kMaxTimedPasses = 6 + kMaxSpatialPasses;
+inline constexpr uint32_t kMaxTimedPasses = 7 + kMaxSpatialPasses;
 
 std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
 

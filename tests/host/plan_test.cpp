@@ -40,7 +40,8 @@ std::vector<Plan> allPlans() {
     std::vector<Plan> plans;
     for (const Settings& settings : allSettings())
         for (bool history : {false, true})
-            for (uint32_t in : {0u, 1u}) plans.push_back(makePlan({kExtent, history, in}, settings));
+            for (uint32_t in : {0u, 1u})
+                for (bool gradient : {false, true}) plans.push_back(makePlan({kExtent, history, in, gradient}, settings));
     return plans;
 }
 
@@ -104,6 +105,10 @@ TEST(Plan, OrderOfStages) {
     EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent}}), (Names{"surface.pack", "di.next_event"}));
     EXPECT_EQ(order(true, {.debugView = DebugView::Age}),
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.debug"}));
+    EXPECT_EQ(names(makePlan({kExtent, true, 0, true}, {})),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.gradient", "di.spatial"}));
+    EXPECT_EQ(names(makePlan({kExtent, false, 0, true}, {})),
+              (Names{"surface.pack", "di.candidates", "di.gradient", "di.spatial"}));
 }
 
 // Once, and by the last pass but that which shows what it left.
@@ -167,6 +172,9 @@ TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
                 EXPECT_EQ(plan.historyOut, pass.source);
                 EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false));
+            } else if (name == "di.gradient") {
+                EXPECT_EQ(static_cast<int>(pass.target), latest);
+                EXPECT_NE(pass.source, pass.target);
             } else if (name == "di.debug") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
                 EXPECT_EQ(plan.historyOut, pass.source);
@@ -180,7 +188,7 @@ TEST(Plan, HistoryIsReadWhereTheLastFrameLeftItAndBeforeItIsOverwritten) {
     for (const Settings& settings : allSettings()) {
         uint32_t history = 0;
         for (int frame = 0; frame < 6; ++frame) {
-            const Plan plan = makePlan({kExtent, frame > 0, history}, settings);
+            const Plan plan = makePlan({kExtent, frame > 0, history, frame % 2 == 0}, settings);
             bool overwritten = false, read = false;
             for (const PassInfo& pass : plan.passes) {
                 if (std::string(pass.name) == "di.temporal") {
@@ -188,6 +196,10 @@ TEST(Plan, HistoryIsReadWhereTheLastFrameLeftItAndBeforeItIsOverwritten) {
                     EXPECT_FALSE(overwritten);
                     EXPECT_TRUE(uses(pass, Resource::PreviousSurfaces, false));
                     read = true;
+                }
+                if (std::string(pass.name) == "di.gradient") {
+                    EXPECT_EQ(pass.source, history);
+                    EXPECT_FALSE(overwritten);
                 }
                 overwritten |= uses(pass, reservoirBuffer(history), true);
             }

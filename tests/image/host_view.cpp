@@ -105,6 +105,7 @@ restir::FrameInput HostView::input(uint32_t index) const {
     input.output = {.radiance = targets[size_t(Target::Radiance)].view(),
                     .diffuse = targets[size_t(Target::Diffuse)].view(),
                     .specular = targets[size_t(Target::Specular)].view(),
+                    .gradient = targets[size_t(Target::Gradient)].view(),
                     .debug = targets[size_t(Target::Debug)].view()};
     return input;
 }

@@ -86,6 +86,7 @@ protected:
     restir::FrameInput input(uint32_t index) const {
         restir::FrameInput in = host.input(index);
         in.exposure = kExposure;
+        in.output.gradient = VK_NULL_HANDLE;
         in.gbuffer = {.depth = {depth.view()},
                       .normal = {normal.view()},
                       .baseColor = {color.view()},

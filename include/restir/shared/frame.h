@@ -64,6 +64,7 @@ struct RsLoggedRay {
 
 RS_SHARED_END
 
+#define RS_FRAME_HISTORY 1u            // the previous frame is known
 #define RS_FRAME_MOTION 2u             // motion image is bound
 #define RS_FRAME_GEOMETRIC_NORMAL 4u
 #define RS_FRAME_MATERIAL 8u
@@ -107,7 +108,8 @@ RS_SHARED_END
 #define RS_BIND_DEBUG 22             // from RADIANCE on: storage images
 #define RS_BIND_DIFFUSE 23
 #define RS_BIND_SPECULAR 24
-#define RS_BIND_COUNT 25
+#define RS_BIND_GRADIENT 25
+#define RS_BIND_COUNT 26
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

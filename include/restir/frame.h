@@ -76,6 +76,22 @@ struct GBuffer {
 // Where results go: storage images in VK_IMAGE_LAYOUT_GENERAL, written without format.
 struct Output {
     VkImageView radiance = VK_NULL_HANDLE;   // emission plus reflected direct light, times exposure; w = 1
+    // Optional, for denoisers: reflected direct light in two lobes, each over a factor of its surface, times exposure;
+    // w the distance of the lights in metres, the mean weighted by what each contributes to the luminance of rgb.
+    // Lights at infinity count as 65,504 m, w is 0 where rgb is. With the standard materials, in exact arithmetic,
+    //     radiance = exposure * emission + diffuse * (1 - metalness) * baseColor
+    //                + specular * max(mix(0.04 * specularFactor, baseColor, metalness), 0.01)
+    // Where (1 - metalness) * baseColor is black nothing is reflected diffusely, and diffuse is 0. A host's own BSDF
+    // decides by rsBridgeLobes; without, all of it is in diffuse, with factor 1.
+    VkImageView diffuse = VK_NULL_HANDLE;
+    VkImageView specular = VK_NULL_HANDLE;
+    // Optional, for denoisers; one more pass, and a ray a pixel unless VisibilityReuse::None. x: confidence M after
+    // temporal reuse, in pixel-frames: 1 without history, at most maxHistory + 1. y in [0, 1]: how much of the pixel's light
+    // changed since the last frame, z / w with z = int |now - then| and w = int max(now, then) in luminance times
+    // exposure, from one sample of each: noisy, so filter z and w over pixels where two channels more can be had. 0 in a
+    // static scene, 1 where the last frame is not known, blind to light that a blocker sets free. Needs
+    // DirectMode::Restir.
+    VkImageView gradient = VK_NULL_HANDLE;
     VkImageView debug = VK_NULL_HANDLE;      // required with Settings::debugView, else left alone
     VkOffset2D origin = {0, 0};              // of the view's rectangle inside them
 };

@@ -48,6 +48,7 @@ enum class Resource : uint8_t {
     ReservoirsB,
     Notes,   // of di.pair_targets for di.pair_spatial
     Outputs,
+    GradientOutput,
     DebugOutput,
 };
 
@@ -57,7 +58,7 @@ struct PassInfo {
     uint32_t groups[3] = {0, 0, 0};
     uint32_t source = 0, target = 0;   // reservoir buffer read and written: 0 is A, 1 is B
     uint32_t index = 0;                // among passes of the same name
-    bool shades = false;               // also writes the outputs
+    bool shades = false;               // writes the outputs
     struct Use {
         Resource resource = Resource::HostImages;
         Access access = Access::Read;

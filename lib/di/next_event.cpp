@@ -4,10 +4,12 @@
 namespace restir::di {
 
 PassInfo nextEvent() noexcept {
-    return makePass("di.next_event", {{Resource::Surfaces, Access::Read},
-                                      {Resource::Scene, Access::Read},
-                                      {Resource::Lights, Access::Read},
-                                      {Resource::Outputs, Access::Write}});
+    PassInfo pass = makePass("di.next_event", {{Resource::Surfaces, Access::Read},
+                                               {Resource::Scene, Access::Read},
+                                               {Resource::Lights, Access::Read},
+                                               {Resource::Outputs, Access::Write}});
+    pass.shades = true;
+    return pass;
 }
 
 }   // namespace restir::di

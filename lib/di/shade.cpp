@@ -11,6 +11,7 @@ PassInfo shade(uint32_t buffer) noexcept {
                                           {reservoirs(buffer), Access::ReadWrite},
                                           {Resource::Outputs, Access::Write}});
     pass.source = pass.target = buffer;
+    pass.shades = true;
     return pass;
 }
 

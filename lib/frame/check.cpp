@@ -65,7 +65,7 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
     return Status::Ok;
 }
 
-Status checkImages(const MessageSink& sink, const FrameInput& frame, bool standardBridge) noexcept {
+Status checkImages(const MessageSink& sink, const FrameInput& frame, const Settings& settings, bool standardBridge) noexcept {
     const GBuffer& g = frame.gbuffer;
     if (standardBridge && !g.depth.view) return refuse(sink, "restir: FrameInput::gbuffer.depth is null");
     if (standardBridge && !g.normal.view) return refuse(sink, "restir: FrameInput::gbuffer.normal is null");
@@ -73,6 +73,8 @@ Status checkImages(const MessageSink& sink, const FrameInput& frame, bool standa
     if (g.origin.x < 0 || g.origin.y < 0)
         return refuse(sink, "restir: FrameInput::gbuffer.origin is (%d, %d)", g.origin.x, g.origin.y);
     if (!frame.output.radiance) return refuse(sink, "restir: FrameInput::output.radiance is null");
+    if (frame.output.gradient && settings.di.mode != DirectMode::Restir)
+        return refuse(sink, "restir: FrameInput::output.gradient needs DirectMode::Restir, there are no reservoirs without");
     if (frame.output.origin.x < 0 || frame.output.origin.y < 0)
         return refuse(sink, "restir: FrameInput::output.origin is (%d, %d)", frame.output.origin.x,
                       frame.output.origin.y);
@@ -129,7 +131,7 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
     if (Status status = checkObjects(s, frame); status != Status::Ok) return status;
     if (!std::isfinite(frame.exposure) || frame.exposure < 0)
         return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
-    if (Status status = checkImages(sink, frame, s.context->ownsSceneLayout); status != Status::Ok) return status;
+    if (Status status = checkImages(sink, frame, settings, s.context->ownsSceneLayout); status != Status::Ok) return status;
     if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
     if (Status status = checkDebug(sink, frame, settings); status != Status::Ok) return status;
     if (Status status = checkSettings(sink, settings.di); status != Status::Ok) return status;

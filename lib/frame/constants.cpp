@@ -21,13 +21,15 @@ uint32_t seedOf(uint64_t frameIndex, uint32_t seed) noexcept {
     return uint32_t(z ^ z >> 31);
 }
 
-uint32_t flagsOf(const FrameInput& frame, const Settings& settings) noexcept {
-    uint32_t flags = 0;
+uint32_t flagsOf(const FrameInput& frame, const Settings& settings, bool history) noexcept {
+    uint32_t flags = history ? RS_FRAME_HISTORY : 0u;
     if (frame.gbuffer.motion.view) flags |= RS_FRAME_MOTION;
     if (frame.gbuffer.geometricNormal.view) flags |= RS_FRAME_GEOMETRIC_NORMAL;
     if (frame.gbuffer.material.view) flags |= RS_FRAME_MATERIAL;
     if (frame.gbuffer.emission.view) flags |= RS_FRAME_EMISSION;
     if (frame.gbuffer.depthKind == DepthKind::Linear) flags |= RS_FRAME_LINEAR_DEPTH;
+    if (frame.output.diffuse) flags |= RS_FRAME_DIFFUSE;
+    if (frame.output.specular) flags |= RS_FRAME_SPECULAR;
     if (settings.counters) flags |= RS_FRAME_COUNT;
     return flags;
 }
@@ -93,7 +95,7 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.seed = seedOf(frame.frameIndex, frame.seed);
     c.lightCount = lights.count;
     c.previousLightCount = lightsChanged ? lights.previousCount : lights.count;
-    c.flags = flagsOf(frame, settings);
+    c.flags = flagsOf(frame, settings, history);
     c.emptyDepth = g.emptyDepth;
     c.exposure = frame.exposure;
     c.motionScale = {g.motionScale[0], g.motionScale[1]};

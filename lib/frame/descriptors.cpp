@@ -86,6 +86,9 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.image(RS_BIND_MOTION, g.motion.view, g.motion.layout);
     w.image(RS_BIND_EMISSION, g.emission.view, g.emission.layout);
     w.image(RS_BIND_RADIANCE, frame.output.radiance, VK_IMAGE_LAYOUT_GENERAL);
+    w.image(RS_BIND_DIFFUSE, frame.output.diffuse, VK_IMAGE_LAYOUT_GENERAL);
+    w.image(RS_BIND_SPECULAR, frame.output.specular, VK_IMAGE_LAYOUT_GENERAL);
+    w.image(RS_BIND_GRADIENT, frame.output.gradient, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_DEBUG, frame.output.debug, VK_IMAGE_LAYOUT_GENERAL);
     w.flush(s.device());
 }

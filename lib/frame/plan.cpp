@@ -44,6 +44,7 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
     if (fused) add(di::spatiotemporal(history, current, averages && spatialPasses == 0));
     else if (remembers) add(di::temporal(history, current));
     if (filters) add(di::boiling(current));
+    if (input.gradient) add(di::gradient(history, current));
     const bool paired =
         di.pairedNeighbours && (di.weights == Weights::Pairwise || di.weights == Weights::PairwisePlain);
     for (uint32_t i = 0; i < spatialPasses; ++i) {

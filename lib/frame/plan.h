@@ -11,6 +11,7 @@ struct PlanInput {
     VkExtent2D extent = {0, 0};
     bool history = false;    // the previous frame's surfaces and reservoirs are valid
     uint32_t historyIn = 0;  // reservoir buffer (0 or 1) that holds them
+    bool gradient = false;   // Output::gradient is asked for
 };
 
 struct Plan {

@@ -145,7 +145,8 @@ Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const S
         return Error{status, VK_SUCCESS, "FrameInput or Settings is invalid"};
     s.plan = makePlan({.extent = frame.extent,
                        .history = historyUsable(s, frame, settings),
-                       .historyIn = s.history.reservoirs},
+                       .historyIn = s.history.reservoirs,
+                       .gradient = frame.output.gradient != VK_NULL_HANDLE},
                       settings);
     return std::span<const PassInfo>(s.plan.passes);
 }

@@ -61,7 +61,7 @@ struct Session::Impl {
 
 inline constexpr uint32_t kMaxSpatialPasses = 8;
 inline constexpr uint32_t kMaxNeighbours = 16;
-inline constexpr uint32_t kMaxTimedPasses = 6 + 2 * kMaxSpatialPasses;
+inline constexpr uint32_t kMaxTimedPasses = 7 + 2 * kMaxSpatialPasses;
 
 std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
 

@@ -21,7 +21,8 @@ void printRamp(const char* number, const std::array<double, 5>& stops) {
 }
 
 void printNeighbours() {
-    std::printf("what became of the neighbours that the last spatial pass asked, in shares; A: how many it took\n");
+    std::printf(
+        "what became of the neighbours that the last spatial pass asked, in shares; A: how many it took\n");
     line("dark grey", "taken");
     line("red", "rejected: another normal");
     line("blue", "rejected: off this surface's plane");
@@ -32,14 +33,20 @@ void printNeighbours() {
 void printView(const Options& options) {
     const double most = double(options.di.maxHistory + 1) * double(options.di.neighbours + 1);
     switch (options.debug) {
-        case DebugView::None: return;
+        case DebugView::None:
+            return;
         case DebugView::Confidence:
             return printRamp("confidence M in pixel-frames", {0, most / 4, most / 2, 3 * most / 4, most});
-        case DebugView::Age: return printRamp("age of the sample in frames", {0, 3, 15, 63, 255});
-        case DebugView::Weight: return printRamp("contribution weight W", {1e-2, 1, 1e2, 1e4, 1e6});
+        case DebugView::Age:
+            return printRamp("age of the sample in frames", {0, 3, 15, 63, 255});
+        case DebugView::Weight:
+            return printRamp("contribution weight W", {1e-2, 1, 1e2, 1e4, 1e6});
         case DebugView::Duplicates:
-            return printRamp("pixels of the 48 around with the same point on the same light", {0, 3, 12, 27, 48});
-        case DebugView::Light: std::printf("a colour for each light; A: its id\n"); return;
+            return printRamp("pixels of the 48 around with the same point on the same light",
+                             {0, 3, 12, 27, 48});
+        case DebugView::Light:
+            std::printf("a colour for each light; A: its id\n");
+            return;
         case DebugView::Visibility:
             std::printf("whether the pixel sees its sample\n");
             line("green", "visible, A: 1");
@@ -51,7 +58,8 @@ void printView(const Options& options) {
             line("green", "vertex 2");
             line("blue", "vertex 0, or a light without extent");
             return;
-        case DebugView::Neighbours: return printNeighbours();
+        case DebugView::Neighbours:
+            return printNeighbours();
     }
 }
 

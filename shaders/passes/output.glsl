@@ -1,8 +1,19 @@
-// The host's output image.
+// The host's output images. Empty pixels are 0.
 layout(set = RS_SET, binding = RS_BIND_RADIANCE) uniform writeonly image2D rsRadianceImage;
+layout(set = RS_SET, binding = RS_BIND_DIFFUSE) uniform writeonly image2D rsDiffuseImage;
+layout(set = RS_SET, binding = RS_BIND_SPECULAR) uniform writeonly image2D rsSpecularImage;
 
-// Adds what the surface emits; empty pixels are 0.
-void rsWriteRadiance(uvec2 pixel, vec3 direct) {
+// The hit distance is the mean over what the lobe reflects.
+vec4 rsLobeOutput(vec4 sum) {
+    float luminance = rsLuminance(sum.rgb);
+    return vec4(sum.rgb * rsFrame.exposure, luminance > 0.0 ? min(sum.w / luminance, RS_FARTHEST_HIT) : 0.0);
+}
+
+// Radiance contains what the surface emits, the lobes do not.
+void rsWriteOutputs(uvec2 pixel, RsShading shading) {
+    ivec2 at = ivec2(pixel + rsFrame.outputOrigin);
     vec3 emission = rsUnpackRadiance(rsSurfacesFrame[rsIndex(pixel)].y);
-    imageStore(rsRadianceImage, ivec2(pixel + rsFrame.outputOrigin), vec4((emission + direct) * rsFrame.exposure, 1.0));
+    imageStore(rsRadianceImage, at, vec4((emission + shading.radiance) * rsFrame.exposure, 1.0));
+    if ((rsFrame.flags & RS_FRAME_DIFFUSE) != 0u) imageStore(rsDiffuseImage, at, rsLobeOutput(shading.diffuse));
+    if ((rsFrame.flags & RS_FRAME_SPECULAR) != 0u) imageStore(rsSpecularImage, at, rsLobeOutput(shading.specular));
 }

@@ -47,7 +47,8 @@ std::vector<Plan> allPlans() {
     std::vector<Plan> plans;
     for (const Settings& settings : allSettings())
         for (bool history : {false, true})
-            for (uint32_t in : {0u, 1u}) plans.push_back(makePlan({kExtent, history, in}, settings));
+            for (uint32_t in : {0u, 1u})
+                for (bool gradient : {false, true}) plans.push_back(makePlan({kExtent, history, in, gradient}, settings));
     return plans;
 }
 
@@ -126,6 +127,10 @@ TEST(Plan, OrderOfStages) {
               (Names{"surface.pack", "di.candidates", "di.pair_targets", "di.pair_spatial", "di.shade"}));
     EXPECT_EQ(order(false, {.di = {.pairedNeighbours = true, .weights = Weights::Balance}}),
               (Names{"surface.pack", "di.candidates", "di.spatial", "di.shade"}));
+    EXPECT_EQ(names(makePlan({kExtent, true, 0, true}, {})),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.gradient", "di.spatial"}));
+    EXPECT_EQ(names(makePlan({kExtent, false, 0, true}, {})),
+              (Names{"surface.pack", "di.candidates", "di.gradient", "di.spatial"}));
 }
 
 // Both halves are of one pass: they draw the same partners.
@@ -172,9 +177,7 @@ TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
             const bool last = &pass == &plan.passes.back() - (shows ? 1 : 0);
             EXPECT_EQ(uses(pass, Resource::DebugOutput, true), shows && &pass == &plan.passes.back());
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
-            if (isSpatial(pass) || std::string(pass.name) == "di.spatiotemporal") {
-                EXPECT_EQ(pass.shades, last);
-            }
+            EXPECT_EQ(pass.shades, last) << pass.name;
         }
 }
 
@@ -227,6 +230,9 @@ TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
                 EXPECT_EQ(plan.historyOut, pass.source);
                 EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false));
+            } else if (name == "di.gradient") {
+                EXPECT_EQ(static_cast<int>(pass.target), latest);
+                EXPECT_NE(pass.source, pass.target);
             } else if (name == "di.debug") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
                 EXPECT_EQ(plan.historyOut, pass.source);
@@ -240,7 +246,7 @@ TEST(Plan, HistoryIsReadWhereTheLastFrameLeftItAndBeforeItIsOverwritten) {
     for (const Settings& settings : allSettings()) {
         uint32_t history = 0;
         for (int frame = 0; frame < 6; ++frame) {
-            const Plan plan = makePlan({kExtent, frame > 0, history}, settings);
+            const Plan plan = makePlan({kExtent, frame > 0, history, frame % 2 == 0}, settings);
             bool overwritten = false, read = false;
             for (const PassInfo& pass : plan.passes) {
                 if (readsHistory(pass)) {
@@ -249,6 +255,10 @@ TEST(Plan, HistoryIsReadWhereTheLastFrameLeftItAndBeforeItIsOverwritten) {
                     EXPECT_FALSE(overwritten);
                     EXPECT_TRUE(uses(pass, Resource::PreviousSurfaces, false));
                     read = true;
+                }
+                if (std::string(pass.name) == "di.gradient") {
+                    EXPECT_EQ(pass.source, history);
+                    EXPECT_FALSE(overwritten);
                 }
                 overwritten |= uses(pass, reservoirBuffer(history), true);
             }

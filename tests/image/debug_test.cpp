@@ -1,4 +1,5 @@
-// What the debug views say about a scene where it is known: two point lights over the plane, the left quarter empty.
+// What the debug views say about a scene where it is known: two point lights over the plane, the left quarter
+// empty.
 #include <gtest/gtest.h>
 
 #include "image/host_view.h"
@@ -45,7 +46,8 @@ protected:
         return host.read(input.frameSlot, Target::Debug);
     }
     // `number` is what every pixel with a surface must have in w; the others are 0.
-    void expect(std::span<const glm::vec4> shown, const std::function<bool(float)>& number, const char* name) {
+    void expect(std::span<const glm::vec4> shown, const std::function<bool(float)>& number,
+                const char* name) {
         ASSERT_EQ(shown.size(), kPixels);
         for (size_t i = 0; i < kPixels; ++i) {
             if (empty(i)) {
@@ -68,7 +70,8 @@ TEST_F(Debug, ConfidenceGrowsByAFrameUpToTheCap) {
     settings.di.spatialPasses = 0;
     for (uint32_t frame = 0; frame < kMaxHistory + 3; ++frame) {
         const float expected = float(std::min(frame, kMaxHistory) + 1);
-        expect(show(DebugView::Confidence, frame), [&](float m) { return m == expected; }, "confidence");
+        expect(
+            show(DebugView::Confidence, frame), [&](float m) { return m == expected; }, "confidence");
     }
 }
 
@@ -78,7 +81,9 @@ TEST_F(Debug, AgeGrowsByAFrame) {
     float oldest = 0;
     for (uint32_t frame = 0; frame < 4; ++frame) {
         const auto shown = show(DebugView::Age, frame);
-        expect(shown, [&](float age) { return age >= 0 && age <= float(frame) && age == std::floor(age); }, "age");
+        expect(
+            shown, [&](float age) { return age >= 0 && age <= float(frame) && age == std::floor(age); },
+            "age");
         for (const glm::vec4& pixel : shown) oldest = std::max(oldest, pixel.w);
     }
     EXPECT_EQ(oldest, 3);
@@ -86,10 +91,12 @@ TEST_F(Debug, AgeGrowsByAFrame) {
 
 TEST_F(Debug, TheLightAndItsColor) {
     host.upload(std::vector{light(3, 0.4f)});
-    expect(show(DebugView::Light, 0), [](float id) { return id == 3; }, "light");
+    expect(
+        show(DebugView::Light, 0), [](float id) { return id == 3; }, "light");
     const glm::vec4 color = show(DebugView::Light, 1).back();
     host.upload(std::vector{light(5, 0.4f)});
-    expect(show(DebugView::Light, 2), [](float id) { return id == 5; }, "light");
+    expect(
+        show(DebugView::Light, 2), [](float id) { return id == 5; }, "light");
     EXPECT_NE(glm::vec3(show(DebugView::Light, 3).back()), glm::vec3(color));
 }
 
@@ -97,10 +104,13 @@ TEST_F(Debug, TheLightAndItsColor) {
 TEST_F(Debug, AllOfASingleLight) {
     host.upload(std::vector{light(3, 0.4f)});
     settings.di.bsdfCandidates = 0;
-    expect(show(DebugView::Weight, 0), [](float w) { return std::abs(w - 1) < 1e-4f; }, "weight");
-    expect(show(DebugView::Visibility, 1), [](float v) { return v == 1; }, "visibility");
+    expect(
+        show(DebugView::Weight, 0), [](float w) { return std::abs(w - 1) < 1e-4f; }, "weight");
+    expect(
+        show(DebugView::Visibility, 1), [](float v) { return v == 1; }, "visibility");
     const auto samples = show(DebugView::Samples, 2);
-    expect(samples, [](float distance) { return distance > 0.9f && distance < 10; }, "samples");
+    expect(
+        samples, [](float distance) { return distance > 0.9f && distance < 10; }, "samples");
     EXPECT_EQ(glm::vec3(samples.back()), glm::vec3(0, 0, 1));
     // Each pixel around shares it: 48 of them inside, 15 in the corner.
     const auto duplicates = show(DebugView::Duplicates, 3);
@@ -110,10 +120,11 @@ TEST_F(Debug, AllOfASingleLight) {
 
 TEST_F(Debug, GreyWithoutASample) {
     host.upload({});
-    for (DebugView view : {DebugView::Age, DebugView::Weight, DebugView::Light, DebugView::Visibility, DebugView::Samples,
-                           DebugView::Duplicates}) {
+    for (DebugView view : {DebugView::Age, DebugView::Weight, DebugView::Light, DebugView::Visibility,
+                           DebugView::Samples, DebugView::Duplicates}) {
         const auto shown = show(view, uint32_t(view));
-        expect(shown, [](float number) { return number == -1; }, "no sample");
+        expect(
+            shown, [](float number) { return number == -1; }, "no sample");
         EXPECT_EQ(glm::vec3(shown.back()), glm::vec3(0.5f));
     }
 }
@@ -135,14 +146,17 @@ TEST_F(Debug, NeighboursRejectedForWhatTheyAre) {
     host.upload(std::vector{light(3, 0.4f)});
     settings.di.radius = 4;
     const auto shown = show(DebugView::Neighbours, 0);
-    expect(shown, [&](float taken) { return taken >= 0 && taken <= float(settings.di.neighbours); }, "neighbours");
+    expect(
+        shown, [&](float taken) { return taken >= 0 && taken <= float(settings.di.neighbours); },
+        "neighbours");
     const auto at = [&](size_t x, size_t y) { return shown[y * kExtent.width + x]; };
     size_t whole = 0, nearEmpty = 0, nearBorder = 0;
     for (size_t y = 6; y < 18; ++y) {
         for (size_t x = 14; x < 26; ++x) whole += at(x, y).w >= 4;   // the pixel itself may be among them
         nearEmpty += at(8, y).y > at(8, y).x;
         nearBorder += at(31, y).x > 0.3f && at(31, y).w < 5;
-        for (size_t x = 8; x < kExtent.width; ++x) EXPECT_NEAR(at(x, y).x, at(x, y).z, 0.02f);   // no red, no blue
+        for (size_t x = 8; x < kExtent.width; ++x)
+            EXPECT_NEAR(at(x, y).x, at(x, y).z, 0.02f);   // no red, no blue
     }
     EXPECT_EQ(whole, 144u);
     EXPECT_GT(nearEmpty, 6u);

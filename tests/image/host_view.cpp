@@ -104,7 +104,11 @@ restir::FrameInput HostView::input(uint32_t index) const {
     input.scene = sdkScene_.get();
     input.lights = lights_.get();
     const auto& targets = targets_[input.frameSlot];
-    input.output = {.radiance = targets[size_t(Target::Radiance)].view(), .debug = targets[size_t(Target::Debug)].view()};
+    input.output = {.radiance = targets[size_t(Target::Radiance)].view(),
+                    .diffuse = targets[size_t(Target::Diffuse)].view(),
+                    .specular = targets[size_t(Target::Specular)].view(),
+                    .gradient = targets[size_t(Target::Gradient)].view(),
+                    .debug = targets[size_t(Target::Debug)].view()};
     return input;
 }
 

@@ -23,7 +23,7 @@ struct HostDesc {
 };
 
 // The images of restir::Output.
-enum class Target : uint8_t { Radiance, Debug, Count };
+enum class Target : uint8_t { Radiance, Diffuse, Specular, Gradient, Debug, Count };
 
 class HostView {
 public:

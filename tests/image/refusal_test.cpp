@@ -82,6 +82,10 @@ const BadFrame kBadFrames[] = {
          s.debugView = restir::DebugView::Age;
          s.di.mode = restir::DirectMode::NextEvent;
      }},
+    {"gradient", [](FrameInput& f, Settings& s) {
+         f.output.gradient = f.output.radiance;
+         s.di.mode = restir::DirectMode::NextEvent;
+     }},
     {"spatialPasses", [](FrameInput& f, Settings& s) {
          f.output.debug = f.output.radiance;
          s.debugView = restir::DebugView::Neighbours;

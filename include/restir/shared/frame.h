@@ -45,7 +45,7 @@ struct RsPass {
     uint source;   // reservoir buffer the pass reads
     uint target;   // and the one it writes
     uint index;    // of this pass among its like: decorrelates random numbers
-    uint shades;   // di.spatial: 1 if it writes the outputs, too
+    uint shades;   // 1: writes the outputs
 };
 
 // Sums over a frame, for reports and tests; written only with RS_FRAME_COUNT.
@@ -64,12 +64,15 @@ struct RsLoggedRay {
 
 RS_SHARED_END
 
+#define RS_FRAME_HISTORY 1u            // the previous frame is known
 #define RS_FRAME_MOTION 2u             // motion image is bound
 #define RS_FRAME_GEOMETRIC_NORMAL 4u
 #define RS_FRAME_MATERIAL 8u
 #define RS_FRAME_EMISSION 16u
 #define RS_FRAME_LINEAR_DEPTH 32u
 #define RS_FRAME_COUNT 64u
+#define RS_FRAME_DIFFUSE 128u          // output image is bound
+#define RS_FRAME_SPECULAR 256u
 
 #define RS_NORMAL_XYZ 0u               // xyz, signed
 #define RS_NORMAL_XYZ_UNORM 1u         // xyz, 0.5 + 0.5 n
@@ -94,7 +97,7 @@ RS_SHARED_END
 #define RS_BIND_PREVIOUS_TLAS 11       // the current one where the host gives none
 #define RS_BIND_COUNTERS 12
 #define RS_BIND_RAY_LOG 13
-#define RS_BIND_NOTES 14              // uint: targets of partners' samples, two in a word
+#define RS_BIND_NOTES 14               // uint: targets of partners' samples, two in a word
 #define RS_BIND_DEPTH 15
 #define RS_BIND_NORMAL 16
 #define RS_BIND_GEOMETRIC_NORMAL 17
@@ -104,7 +107,10 @@ RS_SHARED_END
 #define RS_BIND_EMISSION 21
 #define RS_BIND_RADIANCE 22
 #define RS_BIND_DEBUG 23             // from RADIANCE on: storage images
-#define RS_BIND_COUNT 24
+#define RS_BIND_DIFFUSE 24
+#define RS_BIND_SPECULAR 25
+#define RS_BIND_GRADIENT 26
+#define RS_BIND_COUNT 27
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

@@ -10,7 +10,7 @@ void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_CANDIDATES);
-    vec3 direct = vec3(0.0);
-    if (s.valid) direct = rsDiNextEvent(s, rsFrame.lightCount, rsFrame.di.lightCandidates, random);
-    rsWriteRadiance(pixel, direct);
+    RsShading shading = rsNoLight();
+    if (s.valid) shading = rsDiNextEvent(s, rsFrame.lightCount, rsFrame.di.lightCandidates, random);
+    rsWriteOutputs(pixel, shading);
 }

@@ -11,9 +11,9 @@ void main() {
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir canonical = rsLoadSource(pixel);
     bool shades = rsPass.shades != 0u;
-    RsCombined combined = RsCombined(canonical, vec3(0.0));
+    RsCombined combined = RsCombined(canonical, rsNoLight());
     if (s.valid)
         combined = rsDiPairSpatial(s, canonical, pixel, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index, shades, rsFrame.di);
     rsReservoirs[rsPass.target].at[rsIndex(pixel)] = combined.reservoir;
-    if (shades) rsWriteRadiance(pixel, combined.radiance);
+    if (shades) rsWriteOutputs(pixel, combined.shading);
 }

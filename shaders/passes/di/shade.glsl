@@ -12,9 +12,9 @@ void main() {
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir r = rsReservoirs[rsPass.target].at[i];
     bool occluded = false;
-    vec3 direct = vec3(0.0);
-    if (s.valid) direct = rsDiShade(s, r, rsFrame.di.visibility, occluded);
+    RsShading shading = rsNoLight();
+    if (s.valid) shading = rsDiShade(s, r, rsFrame.di.visibility, occluded);
     if (occluded && rsFrame.di.visibility == RS_VISIBILITY_CACHED)
         rsReservoirs[rsPass.target].at[i] = rsEmptyReservoir(rsConfidence(r));
-    rsWriteRadiance(pixel, direct);
+    rsWriteOutputs(pixel, shading);
 }

@@ -11,8 +11,8 @@ void main() {
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir canonical = rsLoadSource(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index);
-    RsCombined combined = RsCombined(canonical, vec3(0.0));
+    RsCombined combined = RsCombined(canonical, rsNoLight());
     if (s.valid) combined = rsDiSpatial(s, canonical, pixel, rsFrame.extent, rsFrame.di, random);
     rsReservoirs[rsPass.target].at[rsIndex(pixel)] = combined.reservoir;
-    if (rsPass.shades != 0u) rsWriteRadiance(pixel, combined.radiance);
+    if (rsPass.shades != 0u) rsWriteOutputs(pixel, combined.shading);
 }

@@ -13,8 +13,8 @@ void main() {
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir fresh = rsReservoirs[rsPass.target].at[i];
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_TEMPORAL);   // instead of that stage
-    RsCombined combined = RsCombined(fresh, vec3(0.0));
+    RsCombined combined = RsCombined(fresh, rsNoLight());
     if (s.valid) combined = rsDiSpatiotemporal(s, fresh, rsBackProject(pixel, s), rsFrame.di, random);
     rsReservoirs[rsPass.target].at[i] = combined.reservoir;
-    if (rsPass.shades != 0u) rsWriteRadiance(pixel, combined.radiance);
+    if (rsPass.shades != 0u) rsWriteOutputs(pixel, combined.shading);
 }

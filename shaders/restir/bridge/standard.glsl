@@ -16,6 +16,10 @@ vec3 rsBridgeBsdf(RsSurface s, vec3 light) { return rsBsdf(s, light); }
 // A direction from three uniform numbers, and its density per solid angle.
 vec3 rsBridgeSampleBsdf(RsSurface s, vec3 u) { return rsSampleBsdf(s, u); }
 float rsBridgeBsdfPdf(RsSurface s, vec3 light) { return rsPdfBsdf(s, light); }
+// The BSDF times cosine in the lobes of Output::diffuse and specular; only asked for where those are.
+RsLobes rsBridgeLobes(RsSurface s, vec3 light) { return rsBsdfLobes(s, light); }
+#elif !defined(RS_BRIDGE_LOBES)
+RsLobes rsBridgeLobes(RsSurface s, vec3 light) { return RsLobes(rsBridgeBsdf(s, light), vec3(0.0)); }   // all in one
 #endif
 
 #ifndef RS_BRIDGE_SCENE

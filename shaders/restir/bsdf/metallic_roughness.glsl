@@ -36,19 +36,46 @@ bool rsReflects(RsSurface s, vec3 light) {
     return dot(s.normal, light) > 0.0 && dot(s.geometricNormal, light) > 0.0;
 }
 
-// BSDF times cosine, 1/sr. 0 below either horizon.
-vec3 rsBsdf(RsSurface s, vec3 light) {
-    if (!rsReflects(s, light)) return vec3(0.0);
+struct RsGgx {
+    float lobe;   // without Fresnel
+    float schlick;
+    float cosLight;
+};
+
+RsGgx rsGgx(RsSurface s, vec3 light) {
     float cosLight = dot(s.normal, light);
     float cosView = max(dot(s.normal, s.view), 1e-4);
     vec3 middle = normalize(light + s.view);
-    float schlick = rsSchlick(dot(s.view, middle));
     float alpha = rsAlpha(s);
     float lobe = rsGgxDistribution(alpha, s.normal, middle) * rsGgxVisibility(alpha, cosLight, cosView);
+    return RsGgx(lobe, rsSchlick(dot(s.view, middle)), cosLight);
+}
+
+// BSDF times cosine, 1/sr. 0 below either horizon.
+vec3 rsBsdf(RsSurface s, vec3 light) {
+    if (!rsReflects(s, light)) return vec3(0.0);
+    RsGgx ggx = rsGgx(s, light);
+    float lobe = ggx.lobe, schlick = ggx.schlick;
     float fresnel = s.specular * (0.04 + 0.96 * schlick);
     vec3 dielectric = (1.0 - fresnel) / RS_PI * s.baseColor + fresnel * lobe;
     vec3 metal = (s.baseColor + (1.0 - s.baseColor) * schlick) * lobe;
-    return mix(dielectric, metal, s.metalness) * cosLight;
+    return mix(dielectric, metal, s.metalness) * ggx.cosLight;
+}
+
+vec3 rsDiffuseAlbedo(RsSurface s) { return (1.0 - s.metalness) * s.baseColor; }
+
+// What the specular lobe reflects at normal incidence; not 0 where that is black, since grazing light is reflected still.
+vec3 rsSpecularFactor(RsSurface s) { return max(mix(vec3(0.04 * s.specular), s.baseColor, s.metalness), 0.01); }
+
+// rsBsdf = diffuse * rsDiffuseAlbedo + specular * rsSpecularFactor. Nothing is divided by the albedo, which may be 0.
+RsLobes rsBsdfLobes(RsSurface s, vec3 light) {
+    if (!rsReflects(s, light)) return RsLobes(vec3(0.0), vec3(0.0));
+    RsGgx ggx = rsGgx(s, light);
+    float fresnel = s.specular * (0.04 + 0.96 * ggx.schlick);
+    vec3 metal = s.baseColor + (1.0 - s.baseColor) * ggx.schlick;
+    vec3 specular = mix(vec3(fresnel), metal, s.metalness) * ggx.lobe / rsSpecularFactor(s);
+    float diffuse = rsLuminance(rsDiffuseAlbedo(s)) > 0.0 ? (1.0 - fresnel) / RS_PI : 0.0;
+    return RsLobes(vec3(diffuse * ggx.cosLight), specular * ggx.cosLight);
 }
 
 // Probability that rsSampleBsdf takes the specular lobe: its share of the albedo, seen from the viewer.

@@ -27,6 +27,12 @@ struct RsSurfaceInput {
     vec3 emission;
 };
 
+// A BSDF times cosine in two lobes, each over a factor of its surface that its host can multiply again.
+struct RsLobes {
+    vec3 diffuse;
+    vec3 specular;
+};
+
 struct RsPackedSurface {
     uvec4 geometry;   // depth, normal, geometric normal, base colour
     uvec2 material;   // roughness, metalness, specular, flags in 8 bits each; material id

@@ -65,13 +65,13 @@ void rsSelect(inout RsSelection selection, RsReservoir r, float weight, float ta
 
 struct RsCombined {
     RsReservoir reservoir;
-    vec3 radiance;   // sum m_i f(Y_i) V W_i; without meaning for Basic and Balance
+    RsShading shading;   // sum m_i f(Y_i) V W_i; without meaning for Basic and Balance
 };
 
 // Sums of a combination while it runs.
 struct RsCombination {
     RsSelection selection;
-    vec3 radiance;
+    RsShading shading;
     float canonicalMis;    // Pairwise: m_c before the defensive part
     float normalisation;   // Basic, Balance: at the selected sample
 };
@@ -82,15 +82,15 @@ float rsPairwiseShare(uint weights, float canonicalConfidence, float S) {
     return weights == RS_WEIGHTS_PAIRWISE ? S / (S + canonicalConfidence) : 1.0;
 }
 
-// Neighbour `i`'s own sample, shifted here and visible: `here` is f and p^_c.
-void rsTakeSample(inout RsCombination sums, RsNeighbour n, RsDirect here, int i, float canonicalConfidence, float S,
+// Neighbour `i`'s own sample, shifted to `s` and visible: `here` is f and p^_c.
+void rsTakeSample(inout RsCombination sums, RsSurface s, RsNeighbour n, RsDirect here, int i, float canonicalConfidence, float S,
                   uint weights, float coin) {
     bool asksThere = weights == RS_WEIGHTS_BALANCE || rsIsPairwise(weights);
     float there = asksThere ? rsDirect(n.surface, rsLightFor(n, n.reservoir.light), n.reservoir.uv).target : 1.0;
     float mis = float(rsConfidence(n.reservoir));
     if (rsIsPairwise(weights))
         mis *= rsPairwiseShare(weights, canonicalConfidence, S) * there / (canonicalConfidence * here.target + S * there);
-    sums.radiance += mis * n.reservoir.ucw * here.integrand;
+    rsAddLight(sums.shading, s, here, mis * n.reservoir.ucw);
     rsSelect(sums.selection, n.reservoir, mis * here.target * n.reservoir.ucw, here.target, there, i, coin);
 }
 
@@ -104,11 +104,15 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     own.target = 0.0;
     own.integrand = vec3(0.0);
     if (rsHasSample(canonical)) own = rsDirect(s, rsLoadLight(canonical.light), canonical.uv);
-    if (where.accepted == 0u || S <= 0.0) return RsCombined(canonical, own.integrand * canonical.ucw);
+    RsShading alone = rsNoLight();
+    if (where.accepted == 0u || S <= 0.0) {
+        rsAddLight(alone, s, own, canonical.ucw);
+        return RsCombined(canonical, alone);
+    }
 
     bool pairwise = rsIsPairwise(weights), balance = weights == RS_WEIGHTS_BALANCE;
     RsCombination sums =
-        RsCombination(RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1), vec3(0.0), 0.0, 0.0);
+        RsCombination(RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1), alone, 0.0, 0.0);
     RsReservoir asked = canonical;
     float coin = 0.0;
     for (uint question = 0u; question < 2u * where.count;) {
@@ -151,7 +155,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
         float c = float(rsConfidence(n.reservoir));
         float there = counts ? direct.target : 0.0;
         if (sampling) {
-            if (counts) rsTakeSample(sums, n, direct, int(i), cc, S, weights, coin);
+            if (counts) rsTakeSample(sums, s, n, direct, int(i), cc, S, weights, coin);
         } else if (pairwise) {
             sums.canonicalMis += c / S * cc * own.target / (cc * own.target + S * there);
         } else {
@@ -162,20 +166,21 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     if (pairwise) {
         float share = rsPairwiseShare(weights, cc, S);
         float mis = own.target > 0.0 ? sums.canonicalMis * share + 1.0 - share : 0.0;
-        sums.radiance += mis * canonical.ucw * own.integrand;
+        rsAddLight(sums.shading, s, own, mis * canonical.ucw);
         rsSelect(sums.selection, canonical, mis * own.target * canonical.ucw, own.target, own.target, -1, rsNext(random));
     } else if (weights == RS_WEIGHTS_OFF) {
         sums.normalisation = cc + S;
-        sums.radiance = (sums.radiance + cc * canonical.ucw * own.integrand) / sums.normalisation;
+        rsAddLight(sums.shading, s, own, cc * canonical.ucw);
+        sums.shading = rsDivide(sums.shading, sums.normalisation);
     }
     RsSelection selected = sums.selection;
     uint confidence = rsConfidence(canonical) + uint(S);
-    if (!(selected.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), sums.radiance);
+    if (!(selected.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), sums.shading);
     float ucw = selected.sum / selected.target;
     if (balance) ucw *= selected.sourceTarget / sums.normalisation;
     else if (!pairwise) ucw /= sums.normalisation;
     RsReservoir kept = rsMakeReservoir(selected.light, selected.uv, ucw, confidence, selected.age);
-    return RsCombined(kept, sums.radiance);
+    return RsCombined(kept, sums.shading);
 }
 
 #endif

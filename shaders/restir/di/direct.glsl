@@ -9,6 +9,8 @@
 vec3 rsBridgeBsdf(RsSurface s, vec3 light);
 float rsBridgeBsdfPdf(RsSurface s, vec3 light);
 vec3 rsBridgeSampleBsdf(RsSurface s, vec3 u);
+RsLobes rsBridgeLobes(RsSurface s, vec3 light);
+bool rsWantsLobes();   // hook of the passes: whether RsShading's lobes are asked for
 
 // A shadow ray stops this fraction short of the light, or the light's own triangle would block it.
 #define RS_SHADOW_LENGTH 0.9999
@@ -30,6 +32,34 @@ RsDirect rsDirect(RsSurface s, RsPackedLight light, uint uv) {
         target = 0.0;
     }
     return RsDirect(f, target, incident);
+}
+
+// Light that a pixel reflects, summed up.
+struct RsShading {
+    vec3 radiance;
+    // With rsWantsLobes() the same in rsBridgeLobes' two; w the sum of luminance x distance.
+    vec4 diffuse;
+    vec4 specular;
+};
+
+RsShading rsNoLight() { return RsShading(vec3(0.0), vec4(0.0), vec4(0.0)); }
+
+// Lights at infinity count as so far away, metres: the largest half float.
+#define RS_FARTHEST_HIT 65504.0
+
+void rsAddLight(inout RsShading sum, RsSurface s, RsDirect direct, float weight) {
+    sum.radiance += weight * direct.integrand;
+    if (!rsWantsLobes() || !(weight * direct.target > 0.0)) return;
+    RsLobes lobes = rsBridgeLobes(s, direct.incident.direction);
+    vec3 irradiance = weight * direct.incident.irradiance;
+    vec3 diffuse = irradiance * lobes.diffuse, specular = irradiance * lobes.specular;
+    float distance = min(direct.incident.distance, RS_FARTHEST_HIT);
+    sum.diffuse += vec4(diffuse, rsLuminance(diffuse) * distance);
+    sum.specular += vec4(specular, rsLuminance(specular) * distance);
+}
+
+RsShading rsDivide(RsShading sum, float by) {
+    return RsShading(sum.radiance / by, sum.diffuse / by, sum.specular / by);
 }
 
 // `previous`: a surface and a light of last frame, in last frame's scene.

@@ -3,15 +3,15 @@
 #define RESTIR_DI_NEXT_EVENT_GLSL
 #include "restir/di/direct.glsl"
 
-vec3 rsDiNextEvent(RsSurface s, uint lightCount, uint samples, inout RsRandom random) {
-    vec3 sum = vec3(0.0);
+RsShading rsDiNextEvent(RsSurface s, uint lightCount, uint samples, inout RsRandom random) {
+    RsShading sum = rsNoLight();
     for (uint i = 0u; lightCount > 0u && i < samples; ++i) {
         RsPackedLight light = rsLoadLight(rsSampleLight(lightCount, random));
         RsDirect direct = rsDirect(s, light, rsSampleLightUv(light, rsNextBits(random)));
         if (direct.target > 0.0 && light.selection > 0.0 && rsUnoccluded(s, direct.incident))
-            sum += direct.integrand / light.selection;
+            rsAddLight(sum, s, direct, 1.0 / light.selection);
     }
-    return sum / float(samples);
+    return rsDivide(sum, float(samples));
 }
 
 #endif

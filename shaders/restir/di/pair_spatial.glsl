@@ -35,16 +35,20 @@ RsCombined rsDiPairSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uint
         RsPair pair = rsLoadPair(pixel, i, seed, stage, di);
         if (pair.exists) S += float(rsConfidence(rsLoadSource(pair.partner)));
     }
-    vec3 ownIntegrand = vec3(0.0);
-    if (shades && rsHasSample(canonical))
-        ownIntegrand = rsDirect(s, rsLoadLight(canonical.light), canonical.uv).integrand;
-    if (S <= 0.0) return RsCombined(canonical, ownIntegrand * canonical.ucw);
+    RsShading shading = rsNoLight();
+    RsDirect ownDirect;
+    ownDirect.target = 0.0;
+    ownDirect.integrand = vec3(0.0);
+    if (shades && rsHasSample(canonical)) ownDirect = rsDirect(s, rsLoadLight(canonical.light), canonical.uv);
+    if (S <= 0.0) {
+        rsAddLight(shading, s, ownDirect, canonical.ucw);
+        return RsCombined(canonical, shading);
+    }
 
     RsRandom random = rsRandom(pixel, seed, stage);
     RsSelection selection = RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1);
     float own = rsUnpackTarget(rsLoadNote(pixel, 0u));
     float share = rsPairwiseShare(di.weights, cc, S), canonicalMis = 0.0;
-    vec3 radiance = vec3(0.0);
     for (uint i = 0u; i < di.neighbours; ++i) {
         RsPair pair = rsLoadPair(pixel, i, seed, stage, di);
         if (!pair.exists) continue;
@@ -54,17 +58,17 @@ RsCombined rsDiPairSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uint
         if (!(rsHasSample(r) && pair.here > 0.0)) continue;
         float theirs = rsUnpackTarget(rsLoadNote(pair.partner, 0u));
         float mis = share * c * theirs / (cc * pair.here + S * theirs);
-        if (shades) radiance += mis * r.ucw * rsDirect(s, rsLoadLight(r.light), r.uv).integrand;
+        if (shades) rsAddLight(shading, s, rsDirect(s, rsLoadLight(r.light), r.uv), mis * r.ucw);
         rsSelect(selection, r, mis * pair.here * r.ucw, pair.here, theirs, int(i), coin);
     }
     float mis = own > 0.0 ? canonicalMis * share + 1.0 - share : 0.0;
-    radiance += mis * canonical.ucw * ownIntegrand;
+    rsAddLight(shading, s, ownDirect, mis * canonical.ucw);
     rsSelect(selection, canonical, mis * own * canonical.ucw, own, own, -1, rsNext(random));
 
     uint confidence = rsConfidence(canonical) + uint(S);
-    if (!(selection.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), radiance);
+    if (!(selection.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), shading);
     float ucw = selection.sum / selection.target;
-    return RsCombined(rsMakeReservoir(selection.light, selection.uv, ucw, confidence, selection.age), radiance);
+    return RsCombined(rsMakeReservoir(selection.light, selection.uv, ucw, confidence, selection.age), shading);
 }
 
 #endif

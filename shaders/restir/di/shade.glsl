@@ -5,13 +5,15 @@
 #include "restir/di/direct.glsl"
 #include "restir/di/reservoir.glsl"
 
-vec3 rsDiShade(RsSurface s, RsReservoir r, uint visibility, out bool occluded) {
+RsShading rsDiShade(RsSurface s, RsReservoir r, uint visibility, out bool occluded) {
+    RsShading shading = rsNoLight();
     occluded = false;
-    if (!rsHasSample(r)) return vec3(0.0);
+    if (!rsHasSample(r)) return shading;
     RsDirect direct = rsDirect(s, rsLoadLight(r.light), r.uv);
-    if (direct.target <= 0.0) return vec3(0.0);
+    if (direct.target <= 0.0) return shading;
     occluded = visibility != RS_VISIBILITY_TRACED && !rsUnoccluded(s, direct.incident);
-    return occluded ? vec3(0.0) : direct.integrand * r.ucw;
+    if (!occluded) rsAddLight(shading, s, direct, r.ucw);
+    return shading;
 }
 
 #endif

@@ -65,6 +65,8 @@ RsSurface surfaceOf(uint i) {
 }
 vec3 rsBridgeBsdf(RsSurface s, vec3 light) { return rsBsdf(s, light); }
 float rsBridgeBsdfPdf(RsSurface s, vec3 light) { return rsPdfBsdf(s, light); }
+RsLobes rsBridgeLobes(RsSurface s, vec3 light) { return rsBsdfLobes(s, light); }
+bool rsWantsLobes() { return false; }
 vec3 rsBridgeSampleBsdf(RsSurface s, vec3 u) { return rsSampleBsdf(s, u); }
 RsNeighbour rsLoadNeighbour(RsNeighbourhood where, uint i) {
     return RsNeighbour(surfaceOf(i + 1u), reservoirs[i + 1u], previous != 0u);
@@ -108,7 +110,7 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     RsRandom random = rsRandom(uvec2(i & 511u, i >> 9u), seed, 0u);
     if (nextEvent != 0u) {
-        results[i] = vec4(rsDiNextEvent(surfaceOf(0u), lightCount, di.lightCandidates, random), 0.0);
+        results[i] = vec4(rsDiNextEvent(surfaceOf(0u), lightCount, di.lightCandidates, random).radiance, 0.0);
         return;
     }
     RsNeighbourhood where = RsNeighbourhood(uvec2(0u), 0.0, vec2(0.0), neighbours, 0u, 0.0);
@@ -126,6 +128,6 @@ void main() {
         rsCombine(s, reservoirs[0], where, di.weights, di.visibility == RS_VISIBILITY_TRACED, random);
     RsReservoir r = combined.reservoir;
     bool occluded;
-    vec3 radiance = averaged != 0u ? combined.radiance : rsDiShade(s, r, di.visibility, occluded);
+    vec3 radiance = averaged != 0u ? combined.shading.radiance : rsDiShade(s, r, di.visibility, occluded).radiance;
     results[i] = vec4(radiance, rejected == 0u ? float(rsConfidence(r)) : -1.0);
 }

@@ -1,0 +1,30 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define RS_PASS_RAYS
+#include "passes/bindings.glsl"
+#include "passes/back_project.glsl"
+#include "restir/di/gradient.glsl"
+#include "restir/di/temporal.glsl"
+
+layout(set = RS_SET, binding = RS_BIND_GRADIENT) uniform writeonly image2D rsGradientImage;
+
+void main() {
+    if (!rsInside()) return;
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    RsSurface s = rsLoadSurface(pixel);
+    vec4 result = vec4(0.0);
+    if (s.valid) {
+        RsReservoir now = rsReservoirs[rsPass.target].at[rsIndex(pixel)];
+        RsReservoir then = rsEmptyReservoir(0u);
+        bool known = false;
+        if ((rsFrame.flags & RS_FRAME_HISTORY) != 0u) {
+            RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_TEMPORAL);
+            RsNeighbourhood where = rsFindHistory(s, rsBackProject(pixel, s), rsFrame.di, random);
+            known = where.accepted != 0u;
+            if (known) then = rsLoadHistory(where.pixel);
+        }
+        vec2 change = rsDiGradient(s, now, then, known, rsFrame.di.visibility);
+        result = vec4(rsConfidence(now), change.y > 0.0 ? change.x / change.y : 0.0, change * rsFrame.exposure);
+    }
+    imageStore(rsGradientImage, ivec2(pixel + rsFrame.outputOrigin), result);
+}

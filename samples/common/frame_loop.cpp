@@ -80,6 +80,7 @@ void FrameLoop::finish(const Sequence& sequence, const Frame& frame, const Frame
     slots_.wait(frame.slot);
     const auto* pixels = reinterpret_cast<const float*>(readback_[frame.slot].mapped());
     const size_t count = size_t{extent_.width} * extent_.height;
+    if (sequence.eachFrame) sequence.eachFrame(frame.index, {pixels, kChannels * count});
     if (sequence.accumulate ? frame.index >= sequence.skip : frame.last) {
         for (size_t i = 0; i < count; ++i) {
             for (size_t c = 0; c < 3; ++c) sum_[3 * i + c] += static_cast<double>(pixels[kChannels * i + c]);

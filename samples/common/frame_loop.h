@@ -22,6 +22,8 @@ struct Sequence {
     float orbitDegrees = 0;            // the camera's turn about its target from frame to frame
     Motion motion = {};                // of the scene
     bool previousTlas = true;   // tell the SDK last frame's acceleration structure; off: a host that has none
+    // Gets each frame's picture, in order: four floats a pixel. May be empty.
+    std::function<void(uint32_t index, std::span<const float> rgba)> eachFrame = {};
 
     bool jitters() const { return jitter.value_or(accumulate); }
 };

@@ -2,47 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 namespace tests {
-namespace {
-
-// With t = sqrt(freedom) tan(angle) the density is cos(angle)^(freedom - 1) up to a constant.
-double tailIntegral(double angle, size_t freedom) {
-    constexpr int kSteps = 2000;   // Simpson
-    const double h = (0.5 * std::numbers::pi - angle) / kSteps;
-    double sum = 0;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double weight = i == 0 || i == kSteps ? 1 : i % 2 == 1 ? 4 : 2;
-        sum += weight * std::pow(std::max(std::cos(angle + i * h), 0.0), double(freedom) - 1);
-    }
-    return sum * h / 3;
-}
-
-}   // namespace
-
-double studentQuantile(double alpha, size_t freedom) {
-    const double whole = tailIntegral(0, freedom);
-    double low = 0, high = 0.5 * std::numbers::pi;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (tailIntegral(middle, freedom) > alpha * whole ? low : high) = middle;
-    }
-    return std::sqrt(double(freedom)) * std::tan(low);
-}
-
-ReferenceBlocks exactly(const samples::FloatImage& image) {
-    ReferenceBlocks reference;
-    const Blocks blocks = blocksOf(image);
-    for (const auto& mean : blocks.mean) {
-        reference.mean.push_back(luminance(mean));
-        reference.variance.push_back(0);
-        for (size_t c = 0; c < 3; ++c) reference.channelMean[c] += mean[c] / double(blocks.mean.size());
-    }
-    return reference;
-}
 
 void Verdict::add(const std::string& name, const Agreement& a) {
     SCOPED_TRACE(name);

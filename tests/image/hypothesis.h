@@ -1,26 +1,20 @@
-// When a picture counts as unbiased: bounds from Student's distribution, since a variance estimated from a few
-// pictures is itself random.
+// When a picture counts as unbiased.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include <restir/settings.h>
-#include <support/block_statistics.h>
+#include <proof/block_statistics.h>
+#include <proof/student.h>
 
 namespace tests {
 
-// The |t| that one variable with `freedom` degrees exceeds with probability `alpha`.
-double studentQuantile(double alpha, size_t freedom);
+using namespace proof;   // the statistics
 
-// What an unbiased estimator passes with probability 1 - kAlpha, in all cells together (Bonferroni).
-inline constexpr double kAlpha = 0.001;
 inline double studentBound(size_t cells, size_t pictures) {
-    return studentQuantile(kAlpha / double(cells), pictures - 1);
+    return proof::studentBound(double(cells), double(pictures - 1));
 }
-
-// A picture that is known exactly.
-ReferenceBlocks exactly(const samples::FloatImage& image);
 
 // Many estimators against one truth. Every block and every channel of every estimator is a cell.
 class Verdict {

@@ -8,9 +8,11 @@
 #include <common/prepare_scene.h>
 #include <common/reference.h>
 #include <common/renderer.h>
-#include <support/block_statistics.h>
+#include <proof/block_statistics.h>
 
 namespace tests {
+
+using namespace proof;   // the statistics
 
 samples::Device& device();   // validation on: every test ends with noMessages()
 

@@ -1,0 +1,92 @@
+#include "bench/workbench.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "common/di_options.h"
+
+namespace bench {
+namespace {
+
+constexpr uint32_t kLoggedRays = 24;   // per pixel, at most
+
+samples::View viewOf(const samples::SceneData& scene) {
+    return scene.views.empty() ? samples::frameScene(scene) : scene.views[0];
+}
+
+}   // namespace
+
+double medianOf(const samples::PassStats& pass) {
+    std::vector<double> values = pass.milliseconds;
+    if (values.empty()) return 0;
+    std::nth_element(values.begin(), values.begin() + long(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+void addScene(CLI::App& command, SceneOptions& options) {
+    command.add_option("scene", options.scene, "a glTF file or builtin:NAME")->required()->type_name("SCENE");
+    addSize(command, options.extent);
+    command.add_option("--frames", options.frames, "of a sequence, the last of which is measured (30)")
+        ->check(CLI::Range(2, 10000))
+        ->type_name("N");
+    command.add_option("--move", options.move, "the camera orbits its target by so much a frame (0.2)")
+        ->type_name("DEG");
+    addRows(command, options.rows);
+    samples::addDiOptions(command, options.di);
+}
+
+Contender::Contender(samples::Device& device, const samples::GpuScene& scene, const SceneOptions& options,
+                     const samples::View& view, std::string name, const restir::DiSettings& settings)
+    : name_(std::move(name)), settings_(settings), extent_(options.extent), move_(options.move), view_(view) {
+    restir::SessionDesc session{.rayLogCapacity = extent_.width * extent_.height * kLoggedRays};
+    samples::declareFor(settings, session);
+    renderer_ = std::make_unique<samples::Renderer>(device, scene, extent_, session);
+}
+
+proof::FramePair Contender::render(uint32_t seed, uint32_t frames) {
+    proof::FramePair pair;
+    pair.before = {extent_.width, extent_.height, {}};
+    samples::Sequence sequence{.view = view_, .frames = frames, .seed = seed, .orbitDegrees = move_};
+    sequence.eachFrame = [&](uint32_t index, std::span<const float> rgba) {
+        if (index + 2 != frames) return;
+        for (size_t i = 0; i < rgba.size(); ++i)
+            if (i % 4 != 3) pair.before.rgb.push_back(rgba[i]);
+    };
+    restir::Settings all;
+    all.di = settings_;
+    pair.last = renderer_->render(sequence, all);
+    double sum = 0;
+    for (const samples::PassStats& pass : renderer_->stats().passes) sum += medianOf(pass);
+    best_ = std::min(best_, sum);
+    return pair;
+}
+
+double Contender::raysPerPixel() const {
+    return double(renderer_->stats().counters.rays) / (double(extent_.width) * extent_.height);
+}
+
+double Contender::bytesPerPixel() const {
+    double bytes = 0;
+    for (const restir::BufferInfo& buffer : renderer_->memory())
+        if (buffer.perPixel) bytes += double(buffer.bytes);
+    return bytes / (double(extent_.width) * extent_.height);
+}
+
+Workbench::Workbench(const SceneOptions& options) : options_(options) {
+    samples::SceneData data = load(options.scene);
+    view_ = viewOf(data);
+    scene_ = std::make_unique<samples::GpuScene>(device_, std::move(data));
+    std::printf("%s, %ux%u, %zu lights, %s\n", options.scene.c_str(), options.extent.width,
+                options.extent.height, scene_->lights().size(), device_.driver().c_str());
+    for (const std::string& text : options.rows) {
+        const proof::Row row = proof::parseRow(text, options.di);
+        add(row.name, samples::parseDi(row.settings));
+    }
+    if (options.rows.empty()) add("di", options.di);
+}
+
+Contender& Workbench::add(const std::string& name, const restir::DiSettings& settings) {
+    return contenders_.emplace_back(device_, *scene_, options_, view_, name, settings);
+}
+
+}   // namespace bench

@@ -1,0 +1,71 @@
+// A scene, and estimators that take turns on it.
+#pragma once
+
+#include <deque>
+#include <limits>
+#include <memory>
+
+#include "bench/command.h"
+#include "common/gpu_scene.h"
+#include "common/renderer.h"
+#include "proof/measures.h"
+
+namespace bench {
+
+struct SceneOptions {
+    std::string scene;
+    VkExtent2D extent{320, 180};
+    uint32_t frames = 30;
+    float move = 0.2f;
+    restir::DiSettings di;   // of every row, before its own settings
+    std::vector<std::string> rows;
+};
+void addScene(CLI::App& command, SceneOptions& options);
+
+// One estimator with a session of its own.
+class Contender {
+public:
+    Contender(samples::Device& device, const samples::GpuScene& scene, const SceneOptions& options,
+              const samples::View& view, std::string name, const restir::DiSettings& settings);
+
+    const std::string& name() const { return name_; }
+    const restir::DiSettings& settings() const { return settings_; }
+    samples::Renderer& renderer() { return *renderer_; }
+
+    // The end of a sequence of so many frames, at least two.
+    proof::FramePair render(uint32_t seed, uint32_t frames);
+    double milliseconds() const { return best_; }   // GPU, of a frame; the best sequence so far
+    double raysPerPixel() const;
+    double bytesPerPixel() const;
+
+private:
+    std::string name_;
+    restir::DiSettings settings_;
+    VkExtent2D extent_;
+    float move_;
+    samples::View view_;
+    std::unique_ptr<samples::Renderer> renderer_;
+    double best_ = std::numeric_limits<double>::infinity();
+};
+
+class Workbench {
+public:
+    explicit Workbench(const SceneOptions& options);
+
+    Contender& add(const std::string& name, const restir::DiSettings& settings);
+    samples::Device& device() { return device_; }
+    const samples::GpuScene& scene() const { return *scene_; }
+    std::deque<Contender>& contenders() { return contenders_; }   // the options' rows first, or "di"
+
+private:
+    const SceneOptions& options_;
+    samples::View view_;
+    samples::Device device_;
+    std::unique_ptr<samples::GpuScene> scene_;
+    std::deque<Contender> contenders_;
+};
+
+// GPU milliseconds of each pass: the median over its frames.
+double medianOf(const samples::PassStats& pass);
+
+}   // namespace bench

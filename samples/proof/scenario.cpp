@@ -1,0 +1,39 @@
+#include "proof/scenario.h"
+
+#include <stdexcept>
+
+namespace proof {
+namespace {
+
+// By measurement, see the README: the history is full, and more frames of one sequence tell less than another
+// sequence.
+constexpr uint32_t kFrames = 24, kWarmUp = 16;
+
+}   // namespace
+
+const std::vector<Scenario>& scenarios() {
+    static const std::vector<Scenario> kScenarios = {
+        {.name = "static", .help = "nothing moves", .frames = kFrames, .warmUp = kWarmUp},
+        {.name = "camera",
+         .help = "the camera orbits its target by 1 degree a frame",
+         .frames = kFrames,
+         .warmUp = kWarmUp,
+         .orbitDegrees = 1},
+    };
+    return kScenarios;
+}
+
+Scenario findScenario(const std::string& name) {
+    std::string known;
+    for (const Scenario& scenario : scenarios()) {
+        if (scenario.name == name) return scenario;
+        known += (known.empty() ? "" : ", ") + scenario.name;
+    }
+    throw std::runtime_error("'" + name + "' is no scenario, known: " + known);
+}
+
+samples::Sequence Scenario::sequence(const samples::View& view, uint32_t seed) const {
+    return {.view = view, .frames = frames, .seed = seed, .orbitDegrees = orbitDegrees};
+}
+
+}   // namespace proof

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 #include <common/di_options.h>
@@ -147,12 +148,13 @@ private:
     void report(const Cell& cell, const Reference& reference) const {
         const Agreement a = cell.agreement(reference);
         const double target = plan_.limits.halfWidth > 0 ? plan_.limits.halfWidth : Bounds{}.halfWidth;
-        const double more =
-            std::max(0.0, sequencesFor(target, a, cell.sequences()) - double(cell.sequences()));
-        char line[200];
-        std::snprintf(line, sizeof line, "%s: %zu sequences, %+.2f +- %.2f %%, %.1f minutes to +- %g %%",
+        const double more = sequencesFor(target, cell.mean, reference.mean) - double(cell.sequences());
+        const double minutes = std::max(0.0, more) * cell.seconds / double(cell.sequences()) / 60;
+        char line[240];
+        std::snprintf(line, sizeof line, "%s: %zu sequences, %+.2f +- %.2f %%, %.1f minutes to +- %g %%%s",
                       cell.subject.title().c_str(), cell.sequences(), 100 * a.luminanceRatio.mean,
-                      100 * a.halfWidth, more * cell.seconds / double(cell.sequences()) / 60, 100 * target);
+                      100 * a.halfWidth, minutes, 100 * target,
+                      std::isinf(minutes) ? ": the reference is too noisy" : "");
         say_(line);
     }
 
@@ -165,9 +167,12 @@ private:
 
 }   // namespace
 
-double sequencesFor(double halfWidth, const Agreement& agreement, size_t sequences) {
-    const double ratio = agreement.halfWidth / halfWidth;
-    return ratio * ratio * double(sequences);
+double sequencesFor(double halfWidth, const SeedStatistics& cell, const SeedStatistics& reference) {
+    constexpr double kNormal = 1.96;
+    const Estimate truth = reference.luminanceMean(), mean = cell.luminanceMean();
+    const double allowed = std::pow(halfWidth * truth.mean / kNormal, 2) - truth.error * truth.error;
+    if (allowed <= 0) return std::numeric_limits<double>::infinity();
+    return mean.error * mean.error / allowed * double(cell.pictures());
 }
 
 void check(const Plan& plan) {

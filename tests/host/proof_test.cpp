@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 
+#include <proof/run.h>
 #include <proof/student.h>
 #include <proof/summary.h>
 
@@ -103,6 +104,14 @@ TEST(Proof, AnUncertainReferenceWidensTheInterval) {
     EXPECT_GT(against.halfWidth, 2 * exact.halfWidth);
     EXPECT_LT(against.luminanceRatio.freedom, 30);   // the reference's 15 and some
     EXPECT_NE(judge(against, 199, {.hypotheses = 69}).verdict, Verdict::Biased);
+}
+
+TEST(Proof, SequencesThatAHalfWidthNeeds) {
+    Source source(8);
+    const SeedStatistics some = pictures(source, 40, 0), reference = pictures(source, 2000, 0);
+    const double halfWidth = compare(some, referenceFromSeeds(reference)).halfWidth;
+    EXPECT_NEAR(sequencesFor(halfWidth / 2, some, reference), 4 * 40, 0.15 * 4 * 40);
+    EXPECT_TRUE(std::isinf(sequencesFor(halfWidth / 100, some, reference)));
 }
 
 TEST(Proof, VerdictsOnSyntheticBias) {

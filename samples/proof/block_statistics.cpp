@@ -106,6 +106,17 @@ Estimate SeedStatistics::luminanceMean() const {
     return {mean, std::sqrt(squares / (n * (n - 1))), n - 1};
 }
 
+double SeedStatistics::luminanceSkewness() const {
+    const double n = double(pictures()), mean = luminance(channelMean());
+    double squares = 0, cubes = 0;
+    for (const auto& picture : sums_.channels) {
+        const double d = luminance(picture) - mean;
+        squares += d * d / n;
+        cubes += d * d * d / n;
+    }
+    return squares > 0 ? cubes / std::pow(squares, 1.5) : 0;
+}
+
 ReferenceBlocks referenceFromPair(const samples::FloatImage& a, const samples::FloatImage& b,
                                   const SeedStatistics& mask) {
     samples::FloatImage mean = a, squared = a;
@@ -191,6 +202,7 @@ Agreement compare(const SeedStatistics& picture, const ReferenceBlocks& referenc
     result.fractionInside = double(inside) / double(sigmas.size());
     result.meanSquareZ /= double(sigmas.size());
     result.meanSquareZSpread = spreadOfMeanSquareZ(picture, reference, compared);
+    result.skewness = picture.luminanceSkewness();
     std::nth_element(sigmas.begin(), sigmas.begin() + long(sigmas.size() / 2), sigmas.end());
     result.medianSigma = sigmas[sigmas.size() / 2];
     return result;

@@ -54,6 +54,7 @@ public:
     std::array<double, 3> channelMean() const;
     std::array<double, 3> channelError() const;   // standard error of it
     Estimate luminanceMean() const;
+    double luminanceSkewness() const;   // of pictures, not of their mean
 
 private:
     std::vector<bool> leftOut_;
@@ -88,6 +89,7 @@ struct Agreement {
     double meanSquareZSpread = 0;
     double worstZ = 0;   // largest |z| of a block
     size_t blocks = 0;
+    double skewness = 0;   // of the pictures' luminance
 };
 Agreement compare(const SeedStatistics& picture, const ReferenceBlocks& reference);
 void print(const char* what, const Agreement& a);

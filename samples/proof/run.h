@@ -44,8 +44,8 @@ void check(const Plan& plan);
 void run(const Plan& plan, ProofFile& file, Prover& prover,
          const std::function<void(const std::string&)>& say);
 
-// Sequences in all that narrow the 95 % confidence interval of a cell's luminance to so much; infinitely many where the
-// reference alone is less certain. The error of a mean falls with the root of their number.
+// Sequences in all that narrow the 95 % confidence interval of a cell's luminance to so much; infinitely many
+// where the reference alone is less certain. The error of a mean falls with the root of their number.
 double sequencesFor(double halfWidth, const SeedStatistics& cell, const SeedStatistics& reference);
 
 }   // namespace proof

@@ -93,8 +93,8 @@ std::string detailText(const SummaryRow& row, const std::string& scenario, const
                   entry.cell->sequences(), 100 * a.channelRatio[0], 100 * a.channelRatio[1],
                   100 * a.channelRatio[2]) +
            percent(last.luminanceRatio.mean, last.halfWidth) +
-           format(" | %.4f | %.2f | %.1f | `%s` |\n", entry.cell->relativeError(*entry.reference),
-                  entry.cell->noise.value(), entry.cell->seconds / 60, row.settings.c_str());
+           format(" | %.4f | %.2f | %.1f | %.1f | `%s` |\n", entry.cell->relativeError(*entry.reference),
+                  entry.cell->noise.value(), a.skewness, entry.cell->seconds / 60, row.settings.c_str());
 }
 
 }   // namespace
@@ -138,7 +138,8 @@ std::string biasTable(const Table& table) {
                "Of luminance, ± the half-width of the 95 %% confidence interval. Unbiased: every |z| of %.0f "
                "hypotheses (blocks, channels, luminance, mean z² of each cell) inside the bound that all of "
                "them "
-               "keep with probability %g, %.1f here, and the interval within ± %g %%. Commit %s.\n",
+               "keep with probability %g, %.1f here, and the interval within ± %g %%. Open: more sequences "
+               "needed. Commit %s.\n",
                table.hypotheses, 1 - kAlpha, table.zBound, 100 * table.halfWidth, table.commits.c_str());
 }
 
@@ -146,7 +147,7 @@ std::string detailTable(const Table& table) {
     std::string text;
     for (const Summary& summary : table.summaries) {
         text += headLine({summary.title, "scenario", "sequences", "bias of R, G, B in %", "of the last frame",
-                          "error of a frame", "correlation", "minutes", "settings"});
+                          "error of a frame", "correlation", "skewness", "minutes", "settings"});
         for (const SummaryRow& row : summary.rows)
             for (const auto& [scenario, entry] : row.entries) text += detailText(row, scenario, entry);
         text += "\n";

@@ -54,9 +54,10 @@ Judgement judge(const Agreement& agreement, double freedom, const Bounds& bounds
     const bool plain = result.meanSquare >= kMeanSquareLow && result.meanSquare <= kMeanSquareHigh;
     const bool far = std::max(agreement.worstZ, result.worstMeanZ) > result.zBound ||
                      (!plain && std::abs(result.meanSquareZ) > result.zBound);
-    result.verdict = far                                       ? Verdict::Biased
-                     : agreement.halfWidth <= bounds.halfWidth ? Verdict::Unbiased
-                                                               : Verdict::Open;
+    result.sequencesNeeded = 25 * agreement.skewness * agreement.skewness;
+    const bool enough = freedom + 1 >= result.sequencesNeeded;
+    if (enough && far) result.verdict = Verdict::Biased;
+    if (enough && !far && agreement.halfWidth <= bounds.halfWidth) result.verdict = Verdict::Unbiased;
     return result;
 }
 

@@ -7,7 +7,7 @@ namespace proof {
 
 enum class Verdict {
     Unbiased,   // every z inside the bound, z^2 as it should be, the confidence interval narrow enough
-    Open,       // nothing against it, but not enough sequences
+    Open,       // not enough sequences to say either
     Biased,
 };
 const char* nameOf(Verdict verdict);
@@ -25,6 +25,9 @@ struct Judgement {
     // The mean of z^2 over the blocks, 1 being what Student's distribution has, and how surprising it is as a
     // z.
     double meanSquare = 0, meanSquareSpread = 0, meanSquareZ = 0;
+    // Rare bright outliers make a mean skewed, and its z with it: it is near enough to Student's from 25
+    // skewness^2 sequences on (Cochran 1977).
+    double sequencesNeeded = 0;
     Verdict verdict = Verdict::Open;
 };
 Judgement judge(const Agreement& agreement, double freedom, const Bounds& bounds);

@@ -155,6 +155,16 @@ TEST(Proof, MeanSquareIsJudgedByItsOwnSpread) {
     EXPECT_EQ(judge(a, 1e6, {.hypotheses = 69}).verdict, Verdict::Biased);
 }
 
+// A mean of 1 that a picture in fifty brings up to it: for a while it looks too dark.
+TEST(Proof, RareOutliersAreNotCalledBias) {
+    Source source(9, 0.2, 0);
+    SeedStatistics rare;
+    for (uint32_t i = 1; i <= 60; ++i) rare.add(source.picture(i % 50 == 0 ? 0.49 : -0.01));
+    const Judgement early = judge(compare(rare, truth()), 59, {.hypotheses = 69});
+    EXPECT_EQ(early.verdict, Verdict::Open);
+    EXPECT_GT(early.sequencesNeeded, 60);
+}
+
 TEST(Proof, NoiseOfTheReferenceIsNoError) {
     Source source(5, 0.2, 0);
     Reference reference;

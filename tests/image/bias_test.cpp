@@ -49,9 +49,8 @@ protected:
 
 TEST_F(Bias, TellsRightFromWrong) {
     ProofFile file(path("bias.json"));
-    run(plan({"static", "camera"}, {"pairwise-traced=", "basic-none=weights=basic visibility=none"}, 48),
-        file);
-    run(plan({"static"}, {"off-cached=weights=off visibility=cached"}, 24), file);
+    run(plan({"static", "camera"}, {"pairwise-traced=", "balance-traced=weights=balance"}, 48), file);
+    run(plan({"static"}, {"off-cached=weights=off visibility=cached"}, 64), file);
     const Table table = tabulate(file, 0.015);
     std::printf("%s", biasTable(table).c_str());
     ASSERT_EQ(table.summaries.size(), 1u);
@@ -63,8 +62,8 @@ TEST_F(Bias, TellsRightFromWrong) {
         }
         const Agreement& a = row.entries.at("static").judgement.agreement;
         EXPECT_EQ(row.verdict, proof::Verdict::Biased);
-        EXPECT_LE(a.luminanceRatio.mean, -0.1 - 5 * a.luminanceRatio.error);
-        EXPECT_GE(a.luminanceRatio.mean, -0.6);
+        EXPECT_LE(a.luminanceRatio.mean, -0.05 - 5 * a.luminanceRatio.error);
+        EXPECT_GE(a.luminanceRatio.mean, -0.3);
     }
 }
 

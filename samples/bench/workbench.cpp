@@ -31,13 +31,14 @@ void addScene(CLI::App& command, SceneOptions& options) {
         ->type_name("N");
     command.add_option("--move", options.move, "the camera orbits its target by so much a frame (0.2)")
         ->type_name("DEG");
+    command.add_option("--animate", options.animation, "one of the scene's animations")->type_name("NAME");
     addRows(command, options.rows);
     samples::addDiOptions(command, options.di);
 }
 
-Contender::Contender(samples::Device& device, const samples::GpuScene& scene, const SceneOptions& options,
-                     const samples::View& view, std::string name, const restir::DiSettings& settings)
-    : name_(std::move(name)), settings_(settings), extent_(options.extent), move_(options.move), view_(view) {
+Contender::Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
+                     const samples::Sequence& sequence, std::string name, const restir::DiSettings& settings)
+    : name_(std::move(name)), settings_(settings), extent_(extent), sequence_(sequence) {
     restir::SessionDesc session{.rayLogCapacity = extent_.width * extent_.height * kLoggedRays};
     samples::declareFor(settings, session);
     renderer_ = std::make_unique<samples::Renderer>(device, scene, extent_, session);
@@ -46,7 +47,9 @@ Contender::Contender(samples::Device& device, const samples::GpuScene& scene, co
 proof::FramePair Contender::render(uint32_t seed, uint32_t frames) {
     proof::FramePair pair;
     pair.before = {extent_.width, extent_.height, {}};
-    samples::Sequence sequence{.view = view_, .frames = frames, .seed = seed, .orbitDegrees = move_};
+    samples::Sequence sequence = sequence_;
+    sequence.frames = frames;
+    sequence.seed = seed;
     sequence.eachFrame = [&](uint32_t index, std::span<const float> rgba) {
         if (index + 2 != frames) return;
         for (size_t i = 0; i < rgba.size(); ++i)
@@ -72,9 +75,10 @@ double Contender::bytesPerPixel() const {
     return bytes / (double(extent_.width) * extent_.height);
 }
 
-Workbench::Workbench(const SceneOptions& options) : options_(options) {
+Workbench::Workbench(const SceneOptions& options) : extent_(options.extent) {
     samples::SceneData data = load(options.scene);
-    view_ = viewOf(data);
+    sequence_ = {.view = viewOf(data), .orbitDegrees = options.move};
+    if (!options.animation.empty()) sequence_.motion = samples::findMotion(data, options.animation);
     scene_ = std::make_unique<samples::GpuScene>(device_, std::move(data));
     std::printf("%s, %ux%u, %zu lights, %s\n", options.scene.c_str(), options.extent.width,
                 options.extent.height, scene_->lights().size(), device_.driver().c_str());
@@ -86,7 +90,7 @@ Workbench::Workbench(const SceneOptions& options) : options_(options) {
 }
 
 Contender& Workbench::add(const std::string& name, const restir::DiSettings& settings) {
-    return contenders_.emplace_back(device_, *scene_, options_, view_, name, settings);
+    return contenders_.emplace_back(device_, *scene_, extent_, sequence_, name, settings);
 }
 
 }   // namespace bench

@@ -17,6 +17,7 @@ struct SceneOptions {
     VkExtent2D extent{320, 180};
     uint32_t frames = 30;
     float move = 0.2f;
+    std::string animation;
     restir::DiSettings di;   // of every row, before its own settings
     std::vector<std::string> rows;
 };
@@ -25,8 +26,8 @@ void addScene(CLI::App& command, SceneOptions& options);
 // One estimator with a session of its own.
 class Contender {
 public:
-    Contender(samples::Device& device, const samples::GpuScene& scene, const SceneOptions& options,
-              const samples::View& view, std::string name, const restir::DiSettings& settings);
+    Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
+              const samples::Sequence& sequence, std::string name, const restir::DiSettings& settings);
 
     const std::string& name() const { return name_; }
     const restir::DiSettings& settings() const { return settings_; }
@@ -42,8 +43,7 @@ private:
     std::string name_;
     restir::DiSettings settings_;
     VkExtent2D extent_;
-    float move_;
-    samples::View view_;
+    samples::Sequence sequence_;
     std::unique_ptr<samples::Renderer> renderer_;
     double best_ = std::numeric_limits<double>::infinity();
 };
@@ -54,12 +54,12 @@ public:
 
     Contender& add(const std::string& name, const restir::DiSettings& settings);
     samples::Device& device() { return device_; }
-    const samples::GpuScene& scene() const { return *scene_; }
+    samples::GpuScene& scene() { return *scene_; }
     std::deque<Contender>& contenders() { return contenders_; }   // the options' rows first, or "di"
 
 private:
-    const SceneOptions& options_;
-    samples::View view_;
+    VkExtent2D extent_;
+    samples::Sequence sequence_;   // but for its frames and seed
     samples::Device device_;
     std::unique_ptr<samples::GpuScene> scene_;
     std::deque<Contender> contenders_;

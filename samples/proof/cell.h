@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <restir/settings.h>
+#include <vulkan/vulkan_core.h>
 
 #include "proof/block_statistics.h"
 #include "proof/measures.h"

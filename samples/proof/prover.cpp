@@ -74,13 +74,24 @@ Prover::Prover(samples::Device& device, samples::SceneData scene, VkExtent2D ext
     reference_ = std::make_unique<samples::Reference>(device, *scene_, extent);
 }
 
+samples::Sequence Prover::sequenceOf(const Scenario& scenario, uint32_t seed, bool once) const {
+    samples::Sequence sequence{.view = view_,
+                               .frames = scenario.frames,
+                               .seed = seed,
+                               .accumulate = true,
+                               .skip = once && !scenario.changes() ? scenario.frames - 1 : scenario.warmUp,
+                               .jitter = false,
+                               .orbitDegrees = scenario.orbitDegrees};
+    if (!scenario.animation.empty()) sequence.motion = samples::findMotion(black_, scenario.animation);
+    return sequence;
+}
+
 const Prover::Masks& Prover::masks(const Scenario& scenario) {
     Masks& masks = masks_[scenario.name];
     if (!masks.empty()) return masks;
     samples::GpuScene scene(device_, black_);
     samples::Reference emission(device_, scene, extent_);
-    samples::Sequence sequence = scenario.sequence(view_, 0);
-    sequence.frames = scenario.changes() ? scenario.counted() : 1;
+    samples::Sequence sequence = sequenceOf(scenario, 0, true);
     sequence.eachFrame = [&](uint32_t, std::span<const float> rgba) {
         std::vector<bool> mask;
         for (size_t i = 0; i < rgba.size(); i += 4) mask.push_back(rgba[i] + rgba[i + 1] + rgba[i + 2] > 0);
@@ -92,15 +103,14 @@ const Prover::Masks& Prover::masks(const Scenario& scenario) {
 
 template <class Render>
 Take Prover::take(const Scenario& scenario, samples::Sequence sequence, const Render& render) {
-    const uint32_t first = sequence.frames == scenario.frames ? scenario.warmUp : 0;
-    Collector collector(extent_, masks(scenario), first);
+    Collector collector(extent_, masks(scenario), sequence.skip);
     sequence.eachFrame = std::ref(collector);
     render(sequence);
     return collector.finish();
 }
 
 Take Prover::di(const Scenario& scenario, const restir::DiSettings& settings, uint32_t seed) {
-    return take(scenario, scenario.sequence(view_, seed), [&](const samples::Sequence& sequence) {
+    return take(scenario, sequenceOf(scenario, seed, false), [&](const samples::Sequence& sequence) {
         restir::Settings all;
         all.di = settings;
         renderer_->render(sequence, all);
@@ -108,10 +118,8 @@ Take Prover::di(const Scenario& scenario, const restir::DiSettings& settings, ui
 }
 
 Take Prover::reference(const Scenario& scenario, uint32_t paths, uint32_t seed) {
-    samples::Sequence sequence = scenario.sequence(view_, seed);
-    sequence.frames = scenario.changes() ? scenario.counted() : 1;   // the last ones
-    return take(scenario, sequence,
-                [&](const samples::Sequence& s) { reference_->render(s, {.paths = paths}); });
+    return take(scenario, sequenceOf(scenario, seed, true),
+                [&](const samples::Sequence& sequence) { reference_->render(sequence, {.paths = paths}); });
 }
 
 }   // namespace proof

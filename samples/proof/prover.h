@@ -17,7 +17,7 @@ namespace proof {
 
 class Prover {
 public:
-    // `session` declares what the settings to come need. Throws std::runtime_error.
+    // `session` declares what the settings to come need. This and the rest throw std::runtime_error.
     Prover(samples::Device& device, samples::SceneData scene, VkExtent2D extent,
            const restir::SessionDesc& session);
 
@@ -31,6 +31,8 @@ private:
     // Which pixels see an emitter, in each frame that counts; one for all where nothing changes.
     using Masks = std::vector<std::vector<bool>>;
     const Masks& masks(const Scenario& scenario);
+    // The frames that count; `once`: where they are all the same, the last alone.
+    samples::Sequence sequenceOf(const Scenario& scenario, uint32_t seed, bool once) const;
     template <class Render>
     Take take(const Scenario& scenario, samples::Sequence sequence, const Render& render);
 

@@ -1,6 +1,7 @@
 #include "proof/scenario.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace proof {
 namespace {
@@ -10,16 +11,24 @@ namespace {
 // to a third), while rows with rare bright outliers need many sequences whatever their length.
 constexpr uint32_t kFrames = 32, kWarmUp = 20;
 
+Scenario make(std::string name, std::string help, float orbitDegrees = 0, std::string animation = {}) {
+    return {.name = std::move(name),
+            .help = std::move(help),
+            .frames = kFrames,
+            .warmUp = kWarmUp,
+            .orbitDegrees = orbitDegrees,
+            .animation = std::move(animation)};
+}
+
 }   // namespace
 
 const std::vector<Scenario>& scenarios() {
     static const std::vector<Scenario> kScenarios = {
-        {.name = "static", .help = "nothing moves", .frames = kFrames, .warmUp = kWarmUp},
-        {.name = "camera",
-         .help = "the camera orbits its target by 1 degree a frame",
-         .frames = kFrames,
-         .warmUp = kWarmUp,
-         .orbitDegrees = 1},
+        make("static", "nothing moves"),
+        make("camera", "the camera orbits its target by 1 degree a frame", 1),
+        make("lights", "the scene's animation lights", 0, "lights"),
+        make("switching", "the scene's animation switching", 0, "switching"),
+        make("objects", "the scene's animation objects", 0, "objects"),
     };
     return kScenarios;
 }
@@ -31,10 +40,6 @@ Scenario findScenario(const std::string& name) {
         known += (known.empty() ? "" : ", ") + scenario.name;
     }
     throw std::runtime_error("'" + name + "' is no scenario, known: " + known);
-}
-
-samples::Sequence Scenario::sequence(const samples::View& view, uint32_t seed) const {
-    return {.view = view, .frames = frames, .seed = seed, .orbitDegrees = orbitDegrees};
 }
 
 }   // namespace proof

@@ -48,7 +48,7 @@ std::vector<Combination> combinations() {
     for (auto [seen, visibility] :
          {std::pair("none", VisibilityReuse::None), std::pair("cached", VisibilityReuse::Cached),
           std::pair("traced", VisibilityReuse::Traced)}) {
-        for (Weights weights : {Weights::Off, Weights::Basic, Weights::Balance, Weights::Pairwise}) {
+        for (Weights weights : {Weights::Off, Weights::Basic, Weights::Balance, Weights::Pairwise, Weights::PairwisePlain}) {
             for (uint32_t passes : {0u, 1u}) {
                 Combination c{std::string(seen) + ", weights " + std::to_string(int(weights)) +
                                   ", spatial passes " + std::to_string(passes),
@@ -59,6 +59,9 @@ std::vector<Combination> combinations() {
                 c.settings.di.lightCandidates = 4;
                 all.push_back(c);
             }
+            all.push_back(all.back());
+            all.back().name += ", fused";
+            all.back().settings.di.fused = true;
         }
     }
     return all;

@@ -109,7 +109,7 @@ const BadFrame kBadFrames[] = {
     {"depthThreshold", [](FrameInput&, Settings& s) { s.di.depthThreshold = kNan; }},
     {"boilingFilter", [](FrameInput&, Settings& s) { s.di.boilingFilter = kNan; }},
     {"boilingFilter", [](FrameInput&, Settings& s) { s.di.boilingFilter = 1.1f; }},
-    {"weights", [](FrameInput&, Settings& s) { s.di.weights = restir::Weights(4); }},
+    {"weights", [](FrameInput&, Settings& s) { s.di.weights = restir::Weights(5); }},
     {"visibility", [](FrameInput&, Settings& s) { s.di.visibility = restir::VisibilityReuse(3); }},
 };
 

@@ -169,13 +169,19 @@ TEST(Plan, OrderOfFusedStages) {
     EXPECT_EQ(order(true, true, 0, traced), (Names{"surface.pack", "di.candidates", "di.temporal", "di.shade"}));
 }
 
-// Once, and by the last pass but that which shows what it left.
+bool onlyShows(const PassInfo& pass) {
+    return std::string(pass.name) == "di.debug" || std::string(pass.name) == "di.gradient";
+}
+
+// Once, and by the last pass but those that show what it left.
 TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
     for (const Plan& plan : allPlans())
         for (const PassInfo& pass : plan.passes) {
-            const bool shows = std::string(plan.passes.back().name) == "di.debug";
-            const bool last = &pass == &plan.passes.back() - (shows ? 1 : 0);
-            EXPECT_EQ(uses(pass, Resource::DebugOutput, true), shows && &pass == &plan.passes.back());
+            const std::string name = pass.name;
+            const bool last =
+                !onlyShows(pass) && std::all_of(&pass + 1, plan.passes.data() + plan.passes.size(), onlyShows);
+            EXPECT_EQ(uses(pass, Resource::DebugOutput, true), name == "di.debug") << name;
+            EXPECT_EQ(uses(pass, Resource::GradientOutput, true), name == "di.gradient") << name;
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
             EXPECT_EQ(pass.shades, last) << pass.name;
         }

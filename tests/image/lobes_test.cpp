@@ -74,7 +74,7 @@ class Lobes : public testing::Test {
 protected:
     Lobes()
         : scene(device(), planeScene()),
-          host(scene, planeScene().views[0], {kExtent, 8, {}, 0, true}),
+          host(scene, planeScene().views[0], {.maxExtent = kExtent, .maxLights = 8, .allOutputs = true, .pairedNeighbours = 5}),
           surfaces(samples::makePose(planeScene().views[0], kExtent)),
           depth(floatImage(kExtent, surfaces.depth)),
           normal(floatImage(kExtent, surfaces.normal)),

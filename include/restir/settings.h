@@ -41,8 +41,8 @@ struct DiSettings {
     bool fused = false;
     float radius = 30.0f;         // pixels, > 0
     // Neighbours in pairs: if b is a's i-th neighbour, a is b's, and the two share rays and targets: half of both. Needs
-    // SessionDesc::pairedNeighbours; without effect on weights other than Pairwise, whose questions involve third
-    // pixels. Neighbours lie in squares instead of a disc, at the same mean square distance.
+    // SessionDesc::pairedNeighbours; without effect on weights other than the pairwise ones, whose questions involve
+    // third pixels. Neighbours lie in squares instead of a disc, at the same mean square distance.
     // DebugView::Neighbours goes on showing the disc.
     bool pairedNeighbours = false;
     // Which neighbours count as the same surface; tested before their reservoirs are read.

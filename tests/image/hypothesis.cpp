@@ -58,6 +58,9 @@ std::vector<NamedSettings> unbiasedSettings() {
     restir::Settings paired = base;
     paired.di.pairedNeighbours = true;
     all.push_back({"paired traced", paired});
+    paired.di.weights = Weights::PairwisePlain;
+    all.push_back({"paired plain traced", paired});
+    paired.di.weights = Weights::Pairwise;
     paired.di.spatialPasses = 2;
     paired.di.neighbours = 4;
     paired.di.bsdfCandidates = 0;

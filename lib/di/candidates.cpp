@@ -1,15 +1,10 @@
+#include <di/pass.h>
 #include <di/stages.h>
-#include <frame/pass.h>
 
 namespace restir::di {
 
 PassInfo candidates(uint32_t target) noexcept {
-    PassInfo pass = makePass("di.candidates", {{Resource::Surfaces, Access::Read},
-                                               {Resource::Scene, Access::Read},
-                                               {Resource::Lights, Access::Read},
-                                               {reservoirs(target), Access::Write}});
-    pass.target = target;
-    return pass;
+    return makeStage("di.candidates", {.target = target}, {{reservoirs(target), Access::Write}});
 }
 
 }   // namespace restir::di

@@ -1,15 +1,11 @@
+#include <di/pass.h>
 #include <di/stages.h>
-#include <frame/pass.h>
 
 namespace restir::di {
 
 PassInfo debug(uint32_t buffer, uint32_t lastSpatial) noexcept {
-    PassInfo pass = makePass("di.debug", {{Resource::Surfaces, Access::Read},
-                                          {Resource::Scene, Access::Read},
-                                          {Resource::Lights, Access::Read},
-                                          {reservoirs(buffer), Access::Read},
-                                          {Resource::DebugOutput, Access::Write}});
-    pass.source = buffer;
+    PassInfo pass = makeStage("di.debug", {.source = buffer},
+                              {{reservoirs(buffer), Access::Read}, {Resource::DebugOutput, Access::Write}});
     pass.index = lastSpatial;
     return pass;
 }

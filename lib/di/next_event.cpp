@@ -1,14 +1,11 @@
+#include <di/pass.h>
 #include <di/stages.h>
-#include <frame/pass.h>
 
 namespace restir::di {
 
 PassInfo nextEvent() noexcept {
-    PassInfo pass = makePass("di.next_event", {{Resource::Surfaces, Access::Read},
-                                               {Resource::Scene, Access::Read},
-                                               {Resource::Lights, Access::Read},
-                                               {Resource::Outputs, Access::Write}});
-    pass.shades = true;
+    PassInfo pass = makeStage("di.next_event", {}, {});
+    makeShading(pass);
     return pass;
 }
 

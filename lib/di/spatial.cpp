@@ -1,19 +1,13 @@
+#include <di/pass.h>
 #include <di/stages.h>
-#include <frame/pass.h>
 
 namespace restir::di {
 
 PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept {
-    PassInfo pass = makePass("di.spatial", {{Resource::Surfaces, Access::Read},
-                                            {Resource::Scene, Access::Read},
-                                            {Resource::Lights, Access::Read},
-                                            {reservoirs(source), Access::Read},
-                                            {reservoirs(target), Access::Write}});
-    pass.source = source;
-    pass.target = target;
+    PassInfo pass = makeStage("di.spatial", {source, target},
+                              {{reservoirs(source), Access::Read}, {reservoirs(target), Access::Write}});
     pass.index = index;
-    pass.shades = shades;
-    if (shades) pass.useList[pass.useCount++] = {Resource::Outputs, Access::Write};
+    if (shades) makeShading(pass);
     return pass;
 }
 

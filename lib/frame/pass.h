@@ -7,9 +7,11 @@
 
 namespace restir {
 
+inline void addUse(PassInfo& pass, PassInfo::Use use) noexcept { pass.useList[pass.useCount++] = use; }
+
 inline PassInfo makePass(const char* name, std::initializer_list<PassInfo::Use> uses) noexcept {
     PassInfo pass{.name = name};
-    for (const PassInfo::Use& use : uses) pass.useList[pass.useCount++] = use;
+    for (const PassInfo::Use& use : uses) addUse(pass, use);
     return pass;
 }
 

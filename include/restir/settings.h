@@ -31,9 +31,13 @@ struct DiSettings {
     DirectMode mode = DirectMode::Restir;
     uint32_t lightCandidates = 16;   // [1, 65536] lights tried per round before reuse
     uint32_t initialSamples = 1;     // [1, 8] rounds; a shadow ray for the light that each of them chooses
+    uint32_t cutSamples = 4;         // [1, 8] rounds, if more, of a frame whose temporal reuse has no history
     uint32_t bsdfCandidates = 1;     // [0, 8] directions tried, a ray each; 0 where nothing is glossy
     bool temporal = true;
     uint32_t maxHistory = 20;   // [0, 1000] frames a temporal reservoir may stand for
+    // Each pixel takes the history of another one nearby: several times less correlation from frame to frame, for
+    // denoisers that average over frames, but two to three times the error in each.
+    bool permuteHistory = false;
     uint32_t spatialPasses = 1;   // [0, 8]
     uint32_t neighbours = 5;      // [1, 16] per spatial pass
     // With `temporal` and history: one pass over the last frame's reservoirs, at the pixel's old place and at

@@ -46,6 +46,7 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
     };
     if (Status s = range("lightCandidates", di.lightCandidates, 1, 65536); s != Status::Ok) return s;
     if (Status s = range("initialSamples", di.initialSamples, 1, 8); s != Status::Ok) return s;
+    if (Status s = range("cutSamples", di.cutSamples, 1, 8); s != Status::Ok) return s;
     if (Status s = range("bsdfCandidates", di.bsdfCandidates, 0, 8); s != Status::Ok) return s;
     if (Status s = range("maxHistory", di.maxHistory, 0, 1000); s != Status::Ok) return s;
     if (Status s = range("spatialPasses", di.spatialPasses, 0, kMaxSpatialPasses); s != Status::Ok) return s;

@@ -40,7 +40,9 @@ uint32_t partnerSquare(float radius) noexcept {
     return 2 * std::max(uint32_t(std::lround(radius * 0.61237f)), 1u);
 }
 
-gpu::RsDiConstants diConstants(const DiSettings& di) noexcept {
+gpu::RsDiConstants diConstants(const DiSettings& di, bool history) noexcept {
+    const bool cut = di.temporal && !history;
+    const uint32_t rounds = cut ? std::max(di.initialSamples, di.cutSamples) : di.initialSamples;
     return {.lightCandidates = di.lightCandidates,
             .bsdfCandidates = di.bsdfCandidates,
             .maxHistory = di.maxHistory,
@@ -51,8 +53,10 @@ gpu::RsDiConstants diConstants(const DiSettings& di) noexcept {
             .weights = uint32_t(di.weights),
             .visibility = uint32_t(di.visibility),
             .boilingFilter = di.boilingFilter,
-            .initialSamples = di.initialSamples,
-            .partnerSquare = partnerSquare(di.radius)};
+            .initialSamples = rounds,
+            .partnerSquare = partnerSquare(di.radius),
+            // What the next frames' candidates are weighed against.
+            .freshConfidence = rounds / di.initialSamples};
 }
 
 }   // namespace
@@ -102,7 +106,8 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.normalEncoding = uint32_t(g.normals);
     c.rayLogCapacity = s.desc.rayLogCapacity;
     c.debugView = uint32_t(settings.debugView);
-    c.di = diConstants(settings.di);
+    c.di = diConstants(settings.di, history);
+    if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
     return c;
 }
 

@@ -154,7 +154,8 @@ Estimates run(const Setting& setting, const Mode& mode, uint32_t seed) {
             .bsdfCandidates = mode.bsdfCandidates,
             .weights = mode.weights,
             .visibility = mode.visibility,
-            .initialSamples = mode.initialSamples};
+            .initialSamples = mode.initialSamples,
+            .freshConfidence = 1};
     p.seed = seed;
     p.neighbours = static_cast<uint32_t>(setting.surfaces.size()) - 1;
     p.previous = setting.previousLights.empty() ? 0 : 1;

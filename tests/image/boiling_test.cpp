@@ -54,6 +54,7 @@ protected:
         restir::Settings settings;
         settings.di.lightCandidates = 1;
         settings.di.bsdfCandidates = 0;
+        settings.di.cutSamples = 1;
         settings.di.boilingFilter = strength;
         SeedStatistics statistics;
         error = 0;

@@ -23,6 +23,7 @@ class Debug : public testing::Test {
 protected:
     Debug() : scene(device(), planeScene()), host(scene, planeScene().views[0], {kExtent, 8, {}, 0, true}) {
         settings.di.maxHistory = kMaxHistory;
+        settings.di.cutSamples = 1;
         std::vector<glm::vec4> depths(kPixels);
         const samples::CameraPose pose = samples::makePose(planeScene().views[0], kExtent);
         for (size_t i = 0; i < kPixels; ++i) {

@@ -24,6 +24,7 @@ protected:
     Gradient()
         : scene(device(), planeScene()), host(scene, planeScene().views[0], {kExtent, 8, {}, 0, true}) {
         settings.di.maxHistory = kMaxHistory;
+        settings.di.cutSamples = 1;
         settings.di.bsdfCandidates = 0;   // the blocker of one test is not in the scene's tables
     }
     std::span<const glm::vec4> frame(const std::function<void(restir::FrameInput&)>& change = {}) {

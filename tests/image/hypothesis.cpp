@@ -54,7 +54,8 @@ std::vector<NamedSettings> unbiasedSettings() {
     restir::Settings rounds = base;
     rounds.di.lightCandidates = 4;
     rounds.di.initialSamples = 3;
-    all.push_back({"pairwise traced 3 rounds", rounds});
+    rounds.di.cutSamples = 8;
+    all.push_back({"pairwise traced 3 rounds, cut 8", rounds});
     restir::Settings paired = base;
     paired.di.pairedNeighbours = true;
     all.push_back({"paired traced", paired});
@@ -68,6 +69,9 @@ std::vector<NamedSettings> unbiasedSettings() {
     all.push_back({"paired traced, two passes, one shaded", paired});
     paired.di.visibility = VisibilityReuse::None;
     all.push_back({"paired none, two passes", paired});
+    restir::Settings permuted = base;
+    permuted.di.permuteHistory = true;
+    all.push_back({"pairwise traced permuted", permuted});
     restir::Settings ris = base;
     ris.di.temporal = false;
     ris.di.spatialPasses = 0;

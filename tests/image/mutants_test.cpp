@@ -38,7 +38,7 @@ struct Trial {
 
 const restir::DiSettings kSpatial{.lightCandidates = 2, .bsdfCandidates = 0, .temporal = false, .radius = 10};
 const restir::DiSettings kTemporal{
-    .lightCandidates = 2, .bsdfCandidates = 0, .maxHistory = 3, .spatialPasses = 0};
+    .lightCandidates = 2, .cutSamples = 1, .bsdfCandidates = 0, .maxHistory = 3, .spatialPasses = 0};
 
 restir::DiSettings with(restir::DiSettings di, Weights weights, VisibilityReuse visibility) {
     di.weights = weights;

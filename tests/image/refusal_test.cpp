@@ -77,16 +77,19 @@ const BadFrame kBadFrames[] = {
     {"jitter", [](FrameInput& f, Settings&) { f.camera.jitter[0] = std::numeric_limits<float>::infinity(); }},
     {"debugView", [](FrameInput&, Settings& s) { s.debugView = restir::DebugView(9); }},
     {"debug", [](FrameInput&, Settings& s) { s.debugView = restir::DebugView::Age; }},
-    {"DirectMode", [](FrameInput& f, Settings& s) {
+    {"DirectMode",
+     [](FrameInput& f, Settings& s) {
          f.output.debug = f.output.radiance;
          s.debugView = restir::DebugView::Age;
          s.di.mode = restir::DirectMode::NextEvent;
      }},
-    {"gradient", [](FrameInput& f, Settings& s) {
+    {"gradient",
+     [](FrameInput& f, Settings& s) {
          f.output.gradient = f.output.radiance;
          s.di.mode = restir::DirectMode::NextEvent;
      }},
-    {"spatialPasses", [](FrameInput& f, Settings& s) {
+    {"spatialPasses",
+     [](FrameInput& f, Settings& s) {
          f.output.debug = f.output.radiance;
          s.debugView = restir::DebugView::Neighbours;
          s.di.spatialPasses = 0;
@@ -96,6 +99,8 @@ const BadFrame kBadFrames[] = {
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 65537; }},
     {"initialSamples", [](FrameInput&, Settings& s) { s.di.initialSamples = 0; }},
     {"initialSamples", [](FrameInput&, Settings& s) { s.di.initialSamples = 9; }},
+    {"cutSamples", [](FrameInput&, Settings& s) { s.di.cutSamples = 0; }},
+    {"cutSamples", [](FrameInput&, Settings& s) { s.di.cutSamples = 9; }},
     {"bsdfCandidates", [](FrameInput&, Settings& s) { s.di.bsdfCandidates = 9; }},
     {"maxHistory", [](FrameInput&, Settings& s) { s.di.maxHistory = 1001; }},
     {"spatialPasses", [](FrameInput&, Settings& s) { s.di.spatialPasses = 9; }},

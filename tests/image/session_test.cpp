@@ -188,6 +188,35 @@ TEST_F(SessionTest, CountersCountRays) {
     EXPECT_EQ(host->session().counters(HostView::kSlots).rays, 0u);
 }
 
+// A frame without history has the rounds of cutSamples, and its reservoirs their confidence; no other frame
+// has.
+TEST_F(SessionTest, CutsTakeMoreSamples) {
+    settings.counters = true;
+    settings.di.cutSamples = 4;
+    const samples::FloatImage first = frames(0, 1);
+    const uint32_t atCut = host->session().counters(0).rays;
+    frames(1, 1);
+    EXPECT_LT(host->session().counters(1).rays, atCut);
+    cut(2);
+    EXPECT_GT(host->session().counters(2).rays, host->session().counters(1).rays);
+
+    host->newSession();
+    settings.di.initialSamples = 4;
+    settings.di.cutSamples = 1;   // fewer changes nothing
+    EXPECT_LE(largestDifference(frames(0, 1), first), 1e-5);
+    settings.di.initialSamples = 1;
+    host->newSession();
+    frames(0, 1);
+    EXPECT_LT(host->session().counters(0).rays, atCut);
+    settings.di.cutSamples = 4;
+    settings.di.temporal = false;   // without temporal reuse every frame is the same
+    host->newSession();
+    const samples::FloatImage still = frames(0, 1);
+    settings.di.cutSamples = 1;
+    host->newSession();
+    EXPECT_EQ(frames(0, 1).rgb, still.rgb);
+}
+
 TEST_F(SessionTest, RayLogHoldsWhatWasTraced) {
     HostView logged(*scene, view, {.maxExtent = kExtent, .rayLogCapacity = 100});
     ASSERT_NE(logged.session().rayLog(), VkBuffer{});

@@ -55,7 +55,7 @@ restir_mutant(coin_reused "the random number that chose a light also decides whe
 
 restir_mutant(survivors_counted "an empty fresh reservoir has confidence 0 (section 2, counting)"
     restir/di/candidates.glsl di/candidates
-    [[rsEmptyReservoir(1u)]] [[rsEmptyReservoir(0u)]])
+    [[rsEmptyReservoir(di.freshConfidence)]] [[rsEmptyReservoir(0u)]])
 
 # ---- spatial: the weights --------------------------------------------------------------------------------
 

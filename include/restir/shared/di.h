@@ -25,6 +25,8 @@ struct RsDiConstants {
     float boilingFilter;       // [0, 1]
     uint initialSamples;
     uint partnerSquare;        // pixels, even: edge of the squares that partners are drawn in
+    uint freshConfidence;      // pixel-frames that a fresh reservoir stands for
+    uint permutation;          // of history pixels: 0 off, else 16 + this frame's corner of the blocks, 2 bits x, 2 y
 };
 
 RS_SHARED_END

@@ -5,7 +5,7 @@
 //      light, weighted p^ / (n k p_l + n_b p_b): the balance heuristic over all n k + n_b candidates.
 // Where V = 1 the n equal m_r and the directions' share n_b p_b / (n k p_l + n_b p_b) add up to 1, where V = 0 the n m_r
 // alone do, each 1 / n. So the reservoir covers occluded points too unless `kill` drops them, and either is unbiased for
-// its own target. A miss counts. However many rounds there were, it is one pixel-frame of candidates: confidence 1.
+// its own target. A miss counts. Whatever was found, the confidence is that of the rounds: 1 for a frame's usual number.
 #ifndef RESTIR_DI_CANDIDATES_GLSL
 #define RESTIR_DI_CANDIDATES_GLSL
 #include "restir/di/direct.glsl"
@@ -99,8 +99,8 @@ RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout
         float coin = rsNext(random);
         if (found.weight > 0.0) rsOffer(fresh, found.light, found.uv, found.target, found.weight, coin);
     }
-    return fresh.sum > 0.0 ? rsMakeReservoir(fresh.light, fresh.uv, fresh.sum / fresh.target, 1u, 0u)
-                           : rsEmptyReservoir(1u);
+    return fresh.sum > 0.0 ? rsMakeReservoir(fresh.light, fresh.uv, fresh.sum / fresh.target, di.freshConfidence, 0u)
+                           : rsEmptyReservoir(di.freshConfidence);
 }
 
 #endif

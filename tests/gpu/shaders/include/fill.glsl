@@ -41,6 +41,8 @@ FILL fillDi(RS_INOUT(RsDiConstants) s, int b) {
     s.boilingFilter = F(b + 9);
     s.initialSamples = U(b + 10);
     s.partnerSquare = U(b + 11);
+    s.freshConfidence = U(b + 12);
+    s.permutation = U(b + 13);
 }
 
 FILL fillView(RS_INOUT(RsView) s, int b) {

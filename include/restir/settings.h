@@ -43,6 +43,9 @@ struct DiSettings {
     // With `temporal` and history: one pass over the last frame's reservoirs, at the pixel's old place and at
     // `neighbours` around it, instead of the temporal and the first spatial pass.
     bool fused = false;
+    // Half of the pixels of a frame, every other one of a row and in the next frame the others, in half of the time; the rest
+    // is filled in from the reservoirs around, which blurs shadows by a pixel: biased there.
+    bool checkerboard = false;
     float radius = 30.0f;         // pixels, > 0
     // Neighbours in pairs: if b is a's i-th neighbour, a is b's, and the two share rays and targets: half of both. Needs
     // SessionDesc::pairedNeighbours; without effect on weights other than the pairwise ones, whose questions involve

@@ -14,6 +14,7 @@ PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) 
 PassInfo pairTargets(uint32_t source, uint32_t index) noexcept;
 PassInfo pairSpatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
 PassInfo shade(uint32_t buffer) noexcept;
+PassInfo fill(uint32_t buffer) noexcept;   // with a checkerboard: the pixels that `buffer` has nothing for
 PassInfo gradient(uint32_t history, uint32_t current) noexcept;   // before spatial reuse overwrites `history`
 PassInfo nextEvent() noexcept;
 PassInfo debug(uint32_t buffer, uint32_t lastSpatial) noexcept;   // shows `buffer`, and whom that spatial pass asked

@@ -35,12 +35,18 @@ uint32_t flagsOf(const FrameInput& frame, const Settings& settings, bool history
 }
 
 // Two points of a square with edge n are n^2 / 3 apart in the mean square, points of a disc r^2 / 2 from its
-// centre.
-uint32_t partnerSquare(float radius) noexcept {
-    return 2 * std::max(uint32_t(std::lround(radius * 0.61237f)), 1u);
+// centre; in squares of pairs of pixels, 2 n by n, 5 n^2 / 6.
+uint32_t partnerSquare(float radius, bool pairs) noexcept {
+    return 2 * std::max(uint32_t(std::lround(radius * (pairs ? 0.38730f : 0.61237f))), 1u);
 }
 
-gpu::RsDiConstants diConstants(const DiSettings& di, bool history) noexcept {
+// The other half than last time.
+uint32_t fieldOf(const Session::Impl& s, const FrameInput& frame, const Settings& settings, bool history) noexcept {
+    if (!alternates(frame.extent, settings.di)) return 0;
+    return history && s.history.field == 1 ? 2 : 1;
+}
+
+gpu::RsDiConstants diConstants(const DiSettings& di, bool history, uint32_t field) noexcept {
     const bool cut = di.temporal && !history;
     const uint32_t rounds = cut ? std::max(di.initialSamples, di.cutSamples) : di.initialSamples;
     return {.lightCandidates = di.lightCandidates,
@@ -54,9 +60,10 @@ gpu::RsDiConstants diConstants(const DiSettings& di, bool history) noexcept {
             .visibility = uint32_t(di.visibility),
             .boilingFilter = di.boilingFilter,
             .initialSamples = rounds,
-            .partnerSquare = partnerSquare(di.radius),
+            .partnerSquare = partnerSquare(di.radius, field != 0),
             // What the next frames' candidates are weighed against.
-            .freshConfidence = rounds / di.initialSamples};
+            .freshConfidence = rounds / di.initialSamples,
+            .field = field};
 }
 
 }   // namespace
@@ -106,7 +113,8 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.normalEncoding = uint32_t(g.normals);
     c.rayLogCapacity = s.desc.rayLogCapacity;
     c.debugView = uint32_t(settings.debugView);
-    c.di = diConstants(settings.di, history);
+    c.di = diConstants(settings.di, history, fieldOf(s, frame, settings, history));
+    c.di.previousField = history ? s.history.field : 0;
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
     return c;
 }

@@ -23,7 +23,7 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 12> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 13> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatiotemporal"},
@@ -32,6 +32,7 @@ struct Context::Impl {
                                        {"di.pair_targets"},
                                        {"di.pair_spatial"},
                                        {"di.shade"},
+                                       {"di.fill"},
                                        {"di.gradient"},
                                        {"di.debug"},
                                        {"di.next_event"}}};

@@ -16,17 +16,24 @@ bool averagesInputs(const DiSettings& di) noexcept {
 
 }   // namespace
 
+bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept {
+    return settings.checkerboard && settings.mode == DirectMode::Restir && extent.width > 1;
+}
+
 Plan makePlan(const PlanInput& input, const Settings& settings) {
     Plan plan;
     const DiSettings& di = settings.di;
-    auto add = [&](PassInfo pass) {
-        pass.groups[0] = (input.extent.width + 7) / 8;
+    const bool checkerboard = alternates(input.extent, di);
+    auto addOver = [&](uint32_t width, PassInfo pass) {
+        pass.groups[0] = (width + 7) / 8;
         pass.groups[1] = (input.extent.height + 7) / 8;
         pass.groups[2] = 1;
         plan.passes.push_back(pass);
     };
+    const uint32_t width = input.extent.width;
+    auto add = [&](const PassInfo& pass) { addOver(checkerboard ? (width + 1) / 2 : width, pass); };
 
-    add(surface::pack());
+    addOver(width, surface::pack());
     if (di.mode == DirectMode::NextEvent) {
         add(di::nextEvent());
         plan.historyOut = input.historyIn;
@@ -55,7 +62,9 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
         current = 1 - current;
     }
     if (!averages) add(di::shade(current));
-    if (settings.debugView != DebugView::None) add(di::debug(current, std::max(spatialPasses, 1u) - 1));
+    if (checkerboard) add(di::fill(current));
+    if (settings.debugView != DebugView::None)
+        addOver(width, di::debug(current, std::max(spatialPasses, 1u) - 1));
     plan.historyOut = current;
     return plan;
 }

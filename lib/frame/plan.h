@@ -19,6 +19,9 @@ struct Plan {
     uint32_t historyOut = 0;   // reservoir buffer that holds this frame's result
 };
 
+// Whether frames of this extent light half of their pixels. A column alone has no others to be filled from.
+bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept;
+
 Plan makePlan(const PlanInput& input, const Settings& settings);
 
 // Whether `pass` must wait for something since the last barrier. `written` and `read` hold a bit per Resource used

@@ -127,6 +127,7 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
                  .view = constants.view,
                  .lights = lights.serial,
                  .lightGeneration = lights.generation,
+                 .field = constants.di.field,
                  .visibility = settings.di.visibility};
     return Status::Ok;
 }

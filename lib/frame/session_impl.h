@@ -35,6 +35,7 @@ struct History {
     gpu::RsView view{};
     uint64_t lights = 0;   // serial of the table it was drawn from, and that table's generation
     uint64_t lightGeneration = 0;
+    uint32_t field = 0;   // which pixels have reservoirs: restir/di/field.glsl
     VisibilityReuse visibility = VisibilityReuse::None;   // whether its samples were killed
 };
 
@@ -61,7 +62,7 @@ struct Session::Impl {
 
 inline constexpr uint32_t kMaxSpatialPasses = 8;
 inline constexpr uint32_t kMaxNeighbours = 16;
-inline constexpr uint32_t kMaxTimedPasses = 7 + 2 * kMaxSpatialPasses;
+inline constexpr uint32_t kMaxTimedPasses = 8 + 2 * kMaxSpatialPasses;
 
 std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
 

@@ -107,6 +107,7 @@ const std::vector<DiOption>& diOptions() {
         number("spatial-passes", &DiSettings::spatialPasses, "passes of spatial reuse (1)"),
         number("neighbours", &DiSettings::neighbours, "of each spatial pass (5)"),
         onOff("fused", &DiSettings::fused, "temporal and spatial reuse in one pass (off)"),
+        onOff("checkerboard", &DiSettings::checkerboard, "half of the pixels a frame, the rest filled in (off)"),
         number("radius", &DiSettings::radius, "of spatial reuse (30)", "PX"),
         onOff("paired-neighbours", &DiSettings::pairedNeighbours,
               "neighbours in pairs that share rays and targets (off)"),

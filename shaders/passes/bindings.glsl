@@ -29,9 +29,13 @@ layout(set = RS_SET, binding = RS_BIND_RAY_LOG, scalar) buffer RsRayLog { RsLogg
 
 #include "restir_bridge.glsl"
 #include "restir/di/direct.glsl"
+#include "restir/di/field.glsl"
 #include "restir/di/reservoir.glsl"
 
-bool rsInside() { return all(lessThan(gl_GlobalInvocationID.xy, rsFrame.extent)); }
+// The pixel of this invocation.
+uvec2 rsPixelOn(uint field) { return uvec2(rsFieldPixel(ivec2(gl_GlobalInvocationID.xy), field)); }
+uvec2 rsPixel() { return rsPixelOn(rsFrame.di.field); }
+bool rsInside(uvec2 pixel) { return all(lessThan(pixel, rsFrame.extent)); }
 uint rsIndex(uvec2 pixel) { return pixel.y * rsFrame.extent.x + pixel.x; }
 uint rsPreviousIndex(uvec2 pixel) { return pixel.y * rsFrame.previousExtent.x + pixel.x; }
 

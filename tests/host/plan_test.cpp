@@ -39,6 +39,9 @@ std::vector<Settings> allSettings() {
     }
     for (uint32_t spatial : {1u, 3u})
         all.push_back({.di = {.spatialPasses = spatial, .pairedNeighbours = true}});
+    for (auto visibility : {VisibilityReuse::None, VisibilityReuse::Traced})
+        all.push_back({.di = {.checkerboard = true, .visibility = visibility}});
+    all.push_back({.di = {.fused = true, .checkerboard = true}, .debugView = DebugView::Age});
     all.push_back({.di = {.mode = DirectMode::NextEvent}});
     return all;
 }
@@ -131,6 +134,10 @@ TEST(Plan, OrderOfStages) {
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.gradient", "di.spatial"}));
     EXPECT_EQ(names(makePlan({kExtent, false, 0, true}, {})),
               (Names{"surface.pack", "di.candidates", "di.gradient", "di.spatial"}));
+    EXPECT_EQ(order(true, {.di = {.checkerboard = true}}),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.fill"}));
+    EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent, .checkerboard = true}}),
+              (Names{"surface.pack", "di.next_event"}));
 }
 
 // Both halves are of one pass: they draw the same partners.
@@ -174,12 +181,15 @@ bool onlyShows(const PassInfo& pass) {
 }
 
 // Once, and by the last pass but those that show what it left.
+bool fills(const PassInfo& pass) { return std::string(pass.name) == "di.fill"; }
+
+// A checkerboard's other pixels are filled after it.
 TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
     for (const Plan& plan : allPlans())
         for (const PassInfo& pass : plan.passes) {
             const std::string name = pass.name;
-            const bool last =
-                !onlyShows(pass) && std::all_of(&pass + 1, plan.passes.data() + plan.passes.size(), onlyShows);
+            const bool last = !onlyShows(pass) && std::all_of(&pass + 1, plan.passes.data() + plan.passes.size(),
+                                                              [](const PassInfo& next) { return onlyShows(next) || fills(next); });
             EXPECT_EQ(uses(pass, Resource::DebugOutput, true), name == "di.debug") << name;
             EXPECT_EQ(uses(pass, Resource::GradientOutput, true), name == "di.gradient") << name;
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
@@ -192,6 +202,22 @@ TEST(Plan, GroupsCoverTheExtent) {
         EXPECT_EQ(pass.groups[0], 41u);
         EXPECT_EQ(pass.groups[1], 23u);
         EXPECT_EQ(pass.groups[2], 1u);
+    }
+    const Plan half =
+        makePlan({kExtent, true, 0}, {.di = {.checkerboard = true}, .debugView = DebugView::Age});
+    for (const PassInfo& pass : half.passes) {
+        const std::string name = pass.name;
+        EXPECT_EQ(pass.groups[0], name == "surface.pack" || name == "di.debug" ? 41u : 21u) << name;
+        EXPECT_EQ(pass.groups[1], 23u);
+    }
+}
+
+// It has no others to be filled from.
+TEST(Plan, AColumnAloneIsNoCheckerboard) {
+    const Settings settings{.di = {.checkerboard = true}};
+    for (uint32_t width : {1u, 2u}) {
+        const Plan plan = makePlan({{width, 9}, true, 0}, settings);
+        EXPECT_EQ(std::any_of(plan.passes.begin(), plan.passes.end(), fills), width == 2);
     }
 }
 
@@ -239,7 +265,7 @@ TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
             } else if (name == "di.gradient") {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
                 EXPECT_NE(pass.source, pass.target);
-            } else if (name == "di.debug") {
+            } else if (name == "di.debug" || name == "di.fill") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
                 EXPECT_EQ(plan.historyOut, pass.source);
             }

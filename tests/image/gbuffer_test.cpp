@@ -20,14 +20,16 @@ constexpr size_t kPixels = size_t{32} * 32;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 constexpr float kEmpty = -7;
 
-// The plane as a host would draw it; the left quarter of the picture is empty.
+// The plane as a host would draw it into the images' corner; the left quarter of a whole picture is empty.
 struct CpuPlane {
     std::vector<glm::vec4> depth, normal, color, emission;
 
-    explicit CpuPlane(const samples::CameraPose& pose) {
+    explicit CpuPlane(const samples::CameraPose& pose, VkExtent2D extent = kExtent) {
+        const glm::dvec2 last(extent.width - 1, extent.height - 1);
         for (uint32_t i = 0; i < kPixels; ++i) {
             glm::dvec3 point;
-            EXPECT_TRUE(planePoint(pose, kExtent, glm::dvec2(i % 32, i / 32) + 0.5, point));
+            const glm::dvec2 pixel = glm::min(glm::dvec2(i % 32, i / 32), last);
+            EXPECT_TRUE(planePoint(pose, extent, pixel + 0.5, point));
             const float linear = glm::dot(glm::vec3(point) - pose.eye, pose.forward);
             depth.emplace_back(i % 32 < 8 ? kEmpty : linear);
             normal.emplace_back(0, 1, 0, 0);
@@ -78,7 +80,6 @@ protected:
                              .emptyDepth = kEmpty};
             input.resetHistory = i == 0;
             if (change) change(input);
-            restir::Settings settings = unbiased();
             settings.counters = true;
             image = host->frame(input, settings);
             EXPECT_TRUE(allFinite(image));
@@ -101,6 +102,7 @@ protected:
     samples::CameraPose pose;
     std::unique_ptr<samples::GpuScene> scene;
     std::unique_ptr<HostView> host;
+    restir::Settings settings = unbiased();
 };
 
 TEST_F(GBufferTest, EmptyPixelsAreBlack) {
@@ -155,6 +157,39 @@ TEST_F(GBufferTest, DepthKindsAgree) {
     EXPECT_LT(largestDifference(renderDevice(plane, p22, p32, 1), expected), 1e-3);
     EXPECT_LT(largestDifference(renderDevice(plane, -1 - p22, -p32, 0), expected), 1e-5);   // reversed
     EXPECT_LT(largestDifference(renderDevice(plane, 0, near, 0), expected), 1e-5);          // and infinite
+}
+
+// One light without extent leaves nothing to chance: the pixels that are filled in must have the very values, those that
+// have nobody beside them too.
+TEST_F(GBufferTest, CheckerboardFillsEveryPixel) {
+    for (const VkExtent2D extent :
+         {kExtent, VkExtent2D{31, 17}, VkExtent2D{10, 1}, VkExtent2D{9, 2}, VkExtent2D{1, 9}}) {
+        const CpuPlane whole(pose, extent);
+        CpuPlane lonely(pose, extent);
+        for (size_t i = 0; i < kPixels; ++i)
+            if (i % 32 % 2 == 1 || i / 32 % 3 == 1) lonely.depth[i].x = kEmpty;
+        for (const CpuPlane& plane : {whole, lonely}) {
+            for (auto visibility : {restir::VisibilityReuse::None, restir::VisibilityReuse::Cached,
+                                    restir::VisibilityReuse::Traced}) {
+                settings.di.visibility = visibility;
+                const auto draw = [&](bool checkerboard, float exposure) {
+                    settings.di.checkerboard = checkerboard;
+                    return render(plane, [&](restir::FrameInput& input) {
+                        input.extent = extent;
+                        input.exposure = exposure;   // what the last draw left does not pass for an answer
+                    });
+                };
+                samples::FloatImage half = draw(true, 0.5f);
+                for (float& v : half.rgb) v *= 2;
+                const samples::FloatImage all = draw(false, 1);
+                if (extent.width > 8) {
+                    EXPECT_GT(largest(all), 0);
+                }
+                for (size_t i = 0; i < all.rgb.size(); ++i)
+                    ASSERT_NEAR(half.rgb[i], all.rgb[i], 1e-4f * largest(all)) << extent.width << "x" << extent.height << " " << i;
+            }
+        }
+    }
 }
 
 TEST_F(GBufferTest, HostileValuesStayOut) {

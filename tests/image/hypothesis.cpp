@@ -72,6 +72,15 @@ std::vector<NamedSettings> unbiasedSettings() {
     restir::Settings permuted = base;
     permuted.di.permuteHistory = true;
     all.push_back({"pairwise traced permuted", permuted});
+    restir::Settings half = base;
+    half.di.checkerboard = true;
+    all.push_back({"checkerboard traced", half});
+    half.di.pairedNeighbours = true;
+    all.push_back({"checkerboard paired traced", half});
+    half.di.pairedNeighbours = false;
+    half.di.visibility = VisibilityReuse::None;
+    half.di.fused = true;
+    all.push_back({"checkerboard fused none", half});
     restir::Settings ris = base;
     ris.di.temporal = false;
     ris.di.spatialPasses = 0;

@@ -217,6 +217,24 @@ TEST_F(SessionTest, CutsTakeMoreSamples) {
     EXPECT_EQ(frames(0, 1).rgb, still.rgb);
 }
 
+// Half of the pixels take half of the rays, and in turns: who is filled in now had a reservoir in the last frame.
+TEST_F(SessionTest, CheckerboardTakesTurns) {
+    settings.counters = true;
+    frames(0, 3);
+    const uint32_t whole = host->session().counters(2).rays;
+    settings.di.checkerboard = true;
+    host->newSession();
+    const samples::FloatImage first = frames(0, 2);
+    frames(2, 1);
+    EXPECT_NEAR(host->session().counters(2).rays, whole / 2, whole / 20);
+    host->newSession();
+    EXPECT_EQ(frames(0, 2).rgb, first.rgb);
+    frames(2, 1);
+    settings.di.checkerboard = false;   // one with only half a history
+    frames(3, 1);
+    EXPECT_NEAR(host->session().counters(3).rays, whole, whole / 10);
+}
+
 TEST_F(SessionTest, RayLogHoldsWhatWasTraced) {
     HostView logged(*scene, view, {.maxExtent = kExtent, .rayLogCapacity = 100});
     ASSERT_NE(logged.session().rayLog(), VkBuffer{});

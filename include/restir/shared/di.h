@@ -26,6 +26,8 @@ struct RsDiConstants {
     uint initialSamples;
     uint partnerSquare;        // pixels, even: edge of the squares that partners are drawn in
     uint freshConfidence;      // pixel-frames that a fresh reservoir stands for
+    uint field;                // of the pixels that this frame lights: restir/di/field.glsl
+    uint previousField;        // and that the last one lit
     uint permutation;          // of history pixels: 0 off, else 16 + this frame's corner of the blocks, 2 bits x, 2 y
 };
 

@@ -8,10 +8,10 @@ const uint kTile = gl_WorkGroupSize.x * gl_WorkGroupSize.y;
 shared float rsTile[kTile];
 
 void main() {
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
     uint self = gl_LocalInvocationIndex;
     float contribution = 0.0;
-    if (rsInside()) {
+    if (rsInside(pixel)) {
         RsSurface s = rsLoadSurface(pixel);
         if (s.valid) contribution = rsContribution(s, rsReservoirs[rsPass.target].at[rsIndex(pixel)]);
     }

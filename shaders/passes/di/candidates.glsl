@@ -5,8 +5,8 @@
 #include "restir/di/candidates.glsl"
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_CANDIDATES);
     rsReservoirs[rsPass.target].at[rsIndex(pixel)] =

@@ -7,11 +7,12 @@
 layout(set = RS_SET, binding = RS_BIND_DEBUG) uniform writeonly image2D rsDebugImage;
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 at = rsPixelOn(RS_FIELD_ALL), pixel = at;
+    if (!rsInside(at)) return;
+    if (!rsIsOnField(ivec2(at), rsFrame.di.field)) pixel.x = at.x > 0u ? at.x - 1u : 1u;   // shows the one beside it
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index);
     vec4 shown = vec4(0.0);
     if (s.valid) shown = rsDiDebug(rsFrame.debugView, s, pixel, rsFrame.extent, rsFrame.di, random);
-    imageStore(rsDebugImage, ivec2(pixel + rsFrame.outputOrigin), shown);
+    imageStore(rsDebugImage, ivec2(at + rsFrame.outputOrigin), shown);
 }

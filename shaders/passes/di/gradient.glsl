@@ -8,9 +8,11 @@
 
 layout(set = RS_SET, binding = RS_BIND_GRADIENT) uniform writeonly image2D rsGradientImage;
 
+void store(uvec2 pixel, vec4 value) { imageStore(rsGradientImage, ivec2(pixel + rsFrame.outputOrigin), value); }
+
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     vec4 result = vec4(0.0);
     if (s.valid) {
@@ -26,5 +28,8 @@ void main() {
         vec2 change = rsDiGradient(s, now, then, known, rsFrame.di.visibility);
         result = vec4(rsConfidence(now), change.y > 0.0 ? change.x / change.y : 0.0, change * rsFrame.exposure);
     }
-    imageStore(rsGradientImage, ivec2(pixel + rsFrame.outputOrigin), result);
+    store(pixel, result);
+    if (rsFrame.di.field == RS_FIELD_ALL) return;
+    if (rsInside(pixel + uvec2(1u, 0u))) store(pixel + uvec2(1u, 0u), result);
+    if (pixel.x == 1u) store(uvec2(0u, pixel.y), result);
 }

@@ -6,8 +6,8 @@
 #include "restir/di/next_event.glsl"
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_CANDIDATES);
     RsShading shading = rsNoLight();

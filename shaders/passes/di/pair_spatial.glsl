@@ -6,8 +6,8 @@
 #include "restir/di/pair_spatial.glsl"
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir canonical = rsLoadSource(pixel);
     bool shades = rsPass.shades != 0u;

@@ -6,8 +6,8 @@
 #include "restir/di/pair_targets.glsl"
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     RsPairing pairing = RsPairing(pixel, rsFrame.extent, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index);
     rsDiPairTargets(rsLoadSurface(pixel), pairing, rsFrame.di);
 }

@@ -6,8 +6,8 @@
 #include "restir/di/spatial.glsl"
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir canonical = rsLoadSource(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_SPATIAL + rsPass.index);

@@ -7,8 +7,8 @@
 #include "restir/di/spatiotemporal.glsl"
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     uint i = rsIndex(pixel);
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir fresh = rsReservoirs[rsPass.target].at[i];

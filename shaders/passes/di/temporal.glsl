@@ -6,8 +6,8 @@
 #include "restir/di/temporal.glsl"
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixel();
+    if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     if (!s.valid) return;
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_TEMPORAL);

@@ -6,8 +6,8 @@
 bool isUnit(vec3 n) { return abs(dot(n, n) - 1.0) < 0.01; }   // false for NaN
 
 void main() {
-    if (!rsInside()) return;
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = rsPixelOn(RS_FIELD_ALL);
+    if (!rsInside(pixel)) return;
     RsSurfaceInput host = rsBridgeSurface(pixel);
     host.surface.valid = host.surface.valid && host.surface.depth > 0.0 && host.surface.depth < RS_FAR &&
                          isUnit(host.surface.normal) && isUnit(host.surface.geometricNormal);

@@ -6,6 +6,7 @@
 #define RS_STAGE_CANDIDATES 0u
 #define RS_STAGE_TEMPORAL 1u
 #define RS_STAGE_SPATIAL 2u
+#define RS_STAGE_FILL 64u
 
 struct RsRandom { uint state; };
 

@@ -27,6 +27,7 @@ struct RsNeighbour {
 // Where to look; made by a stage (temporal, spatial, spatiotemporal), read back by its rsLoadNeighbour.
 struct RsNeighbourhood {
     uvec2 pixel;     // temporal: of the previous frame
+    uint field;      // of the pixels that have reservoirs
     float radius;    // pixels
     vec2 rotation;   // random numbers of this pixel
     uint count;

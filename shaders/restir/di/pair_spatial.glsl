@@ -19,7 +19,7 @@ RsPair rsLoadPair(uvec2 pixel, uint i, uint seed, uint stage, RsDiConstants di) 
     RsPair pair = RsPair(false, uvec2(0u), 0.0, 0.0);
     uint here = rsLoadNote(pixel, 1u + i);
     if (here == RS_NO_PARTNER) return pair;
-    pair.partner = uvec2(rsPartner(pixel, rsPartnerKey(seed, stage, i), di.partnerSquare));
+    pair.partner = uvec2(rsPartnerPixel(pixel, rsPartnerKey(seed, stage, i), di));
     uint there = rsLoadNote(pair.partner, 1u + i);
     pair.exists = there != RS_NO_PARTNER;   // both must have said so, though they asked the same
     pair.here = rsUnpackTarget(here);

@@ -21,7 +21,7 @@ struct RsPairing {
 
 // Whether `at` is inside and on the same surface, whichever of the two asks.
 bool rsArePartners(RsSurface s, ivec2 at, uvec2 extent, RsDiConstants di) {
-    if (!s.valid || any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(extent)))) return false;
+    if (!s.valid || !rsIsInside(at, extent)) return false;
     RsSurface other = rsLoadSurface(uvec2(at));
     return rsCompareInFrame(s, other, di) == RS_ACCEPTED && rsCompareInFrame(other, s, di) == RS_ACCEPTED;
 }
@@ -31,7 +31,7 @@ uint rsUnoccludedNote(RsSurface s, RsPairing pairing, uint number, RsDiConstants
     ivec2 at = ivec2(pairing.pixel);
     bool exists = s.valid;
     if (number > 0u) {
-        at = rsPartner(pairing.pixel, rsPartnerKey(pairing.seed, pairing.stage, number - 1u), di.partnerSquare);
+        at = rsPartnerPixel(pairing.pixel, rsPartnerKey(pairing.seed, pairing.stage, number - 1u), di);
         exists = rsArePartners(s, at, pairing.extent, di);
     }
     if (!exists) return RS_NO_PARTNER;

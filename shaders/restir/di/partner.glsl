@@ -7,6 +7,8 @@
 #ifndef RESTIR_DI_PARTNER_GLSL
 #define RESTIR_DI_PARTNER_GLSL
 #include "restir/core/random.glsl"
+#include "restir/di/field.glsl"
+#include "restir/shared/di.h"
 
 // Of index `i`, the same for all pixels of a pass: from the stream of a pixel that no picture has.
 uint rsPartnerKey(uint seed, uint stage, uint i) { return rsRandom(uvec2(i, 0xffffffffu), seed, stage).state; }
@@ -31,6 +33,12 @@ ivec2 rsPartner(uvec2 pixel, uint key, uint n) {
     at.y = rsTurn(at.y, n - rsPartnerDraw(columns + at.x, n), n);
     at.x = rsTurn(at.x, n - rsPartnerDraw(rows + at.y, n), n);
     return ivec2(square * n + at) - ivec2(offset);
+}
+
+// The same among the pixels that the frame lights.
+ivec2 rsPartnerPixel(uvec2 pixel, uint key, RsDiConstants di) {
+    uvec2 cell = uvec2(rsFieldCell(ivec2(pixel), di.field));
+    return rsFieldPixel(rsPartner(cell, key, di.partnerSquare), di.field);
 }
 
 // What a pixel notes for a partner: the target of the partner's sample here, with V, its low bits cut off. Any function

@@ -14,7 +14,7 @@ RsNeighbour rsLoadNeighbour(RsNeighbourhood where, uint i) {
 }
 
 RsNeighbourhood rsNeighbourhood(uvec2 pixel, RsDiConstants di, inout RsRandom random) {
-    return RsNeighbourhood(pixel, di.radius, rsNext2(random), di.neighbours, 0u, 0.0);
+    return RsNeighbourhood(pixel, di.field, di.radius, rsNext2(random), di.neighbours, 0u, 0.0);
 }
 
 // RS_ACCEPTED, or why not.

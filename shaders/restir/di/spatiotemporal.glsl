@@ -25,7 +25,7 @@ RsNeighbourhood rsFindPreviousNeighbours(RsSurface s, RsNeighbourhood history, R
     uvec2 centre = history.pixel;
     if (history.accepted != 0u) s = rsLoadPreviousSurface(centre);
     else centre = rsNearestPixel(back.pixel, back.extent);
-    RsNeighbourhood where = RsNeighbourhood(centre, di.radius, rsNext2(random), di.neighbours, 0u, 0.0);
+    RsNeighbourhood where = RsNeighbourhood(centre, di.previousField, di.radius, rsNext2(random), di.neighbours, 0u, 0.0);
     for (uint i = 0u; i < where.count; ++i) {
         ivec2 at = rsNeighbourPixel(where, i);
         if (!rsIsInside(at, back.extent) || uvec2(at) == centre) continue;

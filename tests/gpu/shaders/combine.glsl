@@ -113,7 +113,7 @@ void main() {
         results[i] = vec4(rsDiNextEvent(surfaceOf(0u), lightCount, di.lightCandidates, random).radiance, 0.0);
         return;
     }
-    RsNeighbourhood where = RsNeighbourhood(uvec2(0u), 0.0, vec2(0.0), neighbours, 0u, 0.0);
+    RsNeighbourhood where = RsNeighbourhood(uvec2(0u), 0u, 0.0, vec2(0.0), neighbours, 0u, 0.0);
     for (uint k = 0u; k <= neighbours; ++k) {
         inPreviousFrame = previous != 0u && k > 0u;
         reservoirs[k] = rsDiCandidates(surfaceOf(k), lightCount, di, random);

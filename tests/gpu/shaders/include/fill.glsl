@@ -42,7 +42,9 @@ FILL fillDi(RS_INOUT(RsDiConstants) s, int b) {
     s.initialSamples = U(b + 10);
     s.partnerSquare = U(b + 11);
     s.freshConfidence = U(b + 12);
-    s.permutation = U(b + 13);
+    s.field = U(b + 13);
+    s.previousField = U(b + 14);
+    s.permutation = U(b + 15);
 }
 
 FILL fillView(RS_INOUT(RsView) s, int b) {

@@ -12,6 +12,6 @@ cmake --preset release -DRESTIR_TESTS=OFF > build/demo/configure.log 2>&1 || { c
 cmake --build --preset release --target restir-render
 
 say 'rendering builtin:market'
-build/release/bin/restir-render builtin:market --size 960x540 --frames 24 --move 0.1 --mode di \
+build/release/bin/restir-render builtin:market --size 960x540 --frames 24 --move 0.1 --preset balanced \
     --out build/demo/market.exr --png build/demo/market.png "$@"
 say "the picture: $root/build/demo/market.png, and in linear floats: $root/build/demo/market.exr"

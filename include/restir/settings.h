@@ -44,7 +44,7 @@ struct DiSettings {
     // `neighbours` around it, instead of the temporal and the first spatial pass.
     bool fused = false;
     // Half of the pixels of a frame, every other one of a row and in the next frame the others, in half of the time; the rest
-    // is filled in from the reservoirs around, which blurs shadows by a pixel: biased there.
+    // is filled in from the four pixels around, which blurs light by a pixel: biased there.
     bool checkerboard = false;
     float radius = 30.0f;         // pixels, > 0
     // Neighbours in pairs: if b is a's i-th neighbour, a is b's, and the two share rays and targets: half of both. Needs
@@ -64,6 +64,37 @@ struct DiSettings {
     // its 8x8 tile: less boiling and less error, biased towards darkness. 0: off.
     float boilingFilter = 0;
 };
+
+// Where to start from, each measured against the others and against the truth in the README.
+enum class Preset : uint8_t {
+    Fast,       // half of the pixels a frame, outliers cut back, shadows of reused samples taken as they were: too dark
+    Balanced,   // outliers cut back: a little too dark
+    Quality,    // the same with more samples and neighbours
+    Unbiased,   // the mean of many frames is right
+};
+
+// The most neighbours of a preset: what SessionDesc::pairedNeighbours takes for any of them.
+inline constexpr uint32_t kPresetPartners = 8;
+
+constexpr DiSettings presetSettings(Preset preset) noexcept {
+    DiSettings di;
+    if (preset == Preset::Fast) {
+        di.lightCandidates = 32;
+        di.checkerboard = true;
+        di.visibility = VisibilityReuse::Cached;
+    } else {
+        di.initialSamples = 2;
+        di.pairedNeighbours = true;
+    }
+    if (preset == Preset::Quality) {
+        di.initialSamples = 4;
+        di.cutSamples = 8;
+        di.lightCandidates = 8;
+        di.neighbours = kPresetPartners;
+    }
+    if (preset != Preset::Unbiased) di.boilingFilter = 0.5f;
+    return di;
+}
 
 // What Output::debug shows of the reservoirs that a frame ends with. rgb is a colour to be shown as it is (neither
 // tone-mapped nor encoded again), w the number behind it. A pixel without a surface is black and 0. In the views of a

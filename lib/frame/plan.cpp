@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <di/stages.h>
+#include <frame/pass.h>
 #include <surface/stages.h>
 
 namespace restir {
@@ -28,6 +29,7 @@ Plan makePlan(const PlanInput& input, const Settings& settings) {
         pass.groups[0] = (width + 7) / 8;
         pass.groups[1] = (input.extent.height + 7) / 8;
         pass.groups[2] = 1;
+        if (checkerboard && pass.shades) addUse(pass, {Resource::Surfaces, Access::ReadWrite});   // for di.fill
         plan.passes.push_back(pass);
     };
     const uint32_t width = input.extent.width;

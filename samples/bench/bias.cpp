@@ -96,7 +96,8 @@ void addBias(CLI::App& app) {
         ->type_name("NAME,...");
     command
         ->add_option("--table", options->table,
-                     "rows by name. weights: each of weights with each of visibility")
+                     "rows by name. weights: each of weights with each of visibility; presets; options: the "
+                     "defaults with one thing changed")
         ->type_name("NAME");
     addRows(*command, options->rows);
     command->add_option("--frames", options->frames, "of a sequence")->type_name("N");

@@ -72,11 +72,35 @@ std::string refusal(const DiOption& option, std::string_view name, std::string_v
            (listed ? "none of " + option.values : "no number it can take");
 }
 
+// Replaces all settings, and so goes before the others.
+const DiOption& presetOption() {
+    static const std::vector<std::pair<std::string, restir::Preset>> kPresets = {
+        {"fast", restir::Preset::Fast},
+        {"balanced", restir::Preset::Balanced},
+        {"quality", restir::Preset::Quality},
+        {"unbiased", restir::Preset::Unbiased}};
+    static const DiOption kOption = {.name = "preset",
+                                     .values = "fast|balanced|quality|unbiased",
+                                     .help = "settings to start from, instead of the defaults",
+                                     .set =
+                                         [](DiSettings& settings, std::string_view text) {
+                                             for (const auto& [key, preset] : kPresets) {
+                                                 if (key != text) continue;
+                                                 settings = restir::presetSettings(preset);
+                                                 return true;
+                                             }
+                                             return false;
+                                         },
+                                     .get = {}};
+    return kOption;
+}
+
 const DiOption& find(std::string_view name) {
-    std::string known;
+    if (name == presetOption().name) return presetOption();
+    std::string known = presetOption().name;
     for (const DiOption& option : diOptions()) {
         if (option.name == name) return option;
-        known += (known.empty() ? "" : " ") + option.name;
+        known += " " + option.name;
     }
     throw std::runtime_error("'" + std::string(name) + "' is no setting, known: " + known);
 }
@@ -123,7 +147,10 @@ const std::vector<DiOption>& diOptions() {
 }
 
 void addDiOptions(CLI::App& app, DiSettings& settings) {
-    for (const DiOption& option : diOptions()) {
+    std::vector<const DiOption*> options = {&presetOption()};   // CLI11 applies them in this order, whatever the line's
+    for (const DiOption& option : diOptions()) options.push_back(&option);
+    for (const DiOption* each : options) {
+        const DiOption& option = *each;
         const std::string flag = "--" + option.name;
         if (app.get_option_no_throw(flag)) continue;
         const auto set = [&settings, &option, flag](const std::string& text) {

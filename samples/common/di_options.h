@@ -26,13 +26,13 @@ struct DiOption {
 // A new setting is one more line in di_options.cpp.
 const std::vector<DiOption>& diOptions();
 
-// An option --NAME for each of them that `app` has not got yet; on|off ones also as the flag --NAME or
+// --preset NAME, and an option --NAME for each of them that `app` has not got yet; on|off ones also as the flag --NAME or
 // --no-NAME. `settings` must outlive the parsing.
 void addDiOptions(CLI::App& app, restir::DiSettings& settings);
 
 // The weights, the visibility and whatever else is not the default; parseDi() of it gives `settings` back.
 std::string diText(const restir::DiSettings& settings);
-// What `text` names is changed in `base`. Throws std::runtime_error naming what it cannot read.
+// What `text` names is changed in `base`; preset=NAME goes first, it replaces all. Throws std::runtime_error naming what it cannot read.
 restir::DiSettings parseDi(std::string_view text, restir::DiSettings base = {});
 
 // Adds to `desc` what a session must declare to be used with `settings`.

@@ -32,12 +32,26 @@ Row parseRow(const std::string& text, const restir::DiSettings& base) {
 }
 
 std::vector<Row> namedRows(const std::string& table) {
-    if (table != "weights") throw std::runtime_error("'" + table + "' is no table, known: weights");
     std::vector<Row> rows;
-    for (const std::string weights : {"off", "basic", "balance", "pairwise"})
-        for (const std::string visibility : {"none", "cached", "traced"})
-            rows.push_back(
-                parseRow(weights + "-" + visibility + "=weights=" + weights + " visibility=" + visibility));
+    if (table == "weights") {
+        for (const std::string weights : {"off", "basic", "balance", "pairwise"})
+            for (const std::string visibility : {"none", "cached", "traced"})
+                rows.push_back(
+                    parseRow(weights + "-" + visibility + "=weights=" + weights + " visibility=" + visibility));
+    } else if (table == "presets") {
+        for (const std::string preset : {"fast", "balanced", "quality", "unbiased"})
+            rows.push_back(parseRow(preset + "=preset=" + preset));
+    } else if (table == "options") {
+        for (const char* row :
+             {"plain=weights=plain", "fused=fused=on", "paired=paired-neighbours=on",
+              "rounds=initial-samples=4 candidates=4", "two-passes=spatial-passes=2", "no-average=average=off",
+              "no-bsdf=bsdf-candidates=0", "no-temporal=temporal=off", "no-spatial=spatial-passes=0",
+              "permuted=permute-history=on", "checkerboard=checkerboard=on", "boiling=boiling-filter=0.5",
+              "nee=mode=nee"})
+            rows.push_back(parseRow(row));
+    } else {
+        throw std::runtime_error("'" + table + "' is no table, known: weights presets options");
+    }
     return rows;
 }
 

@@ -20,7 +20,7 @@ struct Row {
 };
 // "NAME=settings", which change `base`. Throws std::runtime_error.
 Row parseRow(const std::string& text, const restir::DiSettings& base = {});
-// The rows of a table that restir-bench knows by name: "weights". Throws std::runtime_error.
+// The rows of a table that restir-bench knows by name: "weights", "presets", "options". Throws std::runtime_error.
 std::vector<Row> namedRows(const std::string& table);
 
 // What a cell's or a reference's statistics depend on.

@@ -94,7 +94,10 @@ void rsOnRay(vec3 origin, vec3 direction, float tmax, bool closest) {
     if (slot < rsFrame.rayLogCapacity)
         rsRayLog[slot] = RsLoggedRay(vec4(origin, tmax), vec4(direction, closest ? 1.0 : 0.0));
 }
-bool rsWantsLobes() { return rsPass.shades != 0u && (rsFrame.flags & (RS_FRAME_DIFFUSE | RS_FRAME_SPECULAR)) != 0u; }
+bool rsWantsLobes() {
+    bool asked = (rsFrame.flags & (RS_FRAME_DIFFUSE | RS_FRAME_SPECULAR)) != 0u || rsFrame.di.field != RS_FIELD_ALL;
+    return rsPass.shades != 0u && asked;
+}
 void rsOnRejectedWeight() {
     if ((rsFrame.flags & RS_FRAME_COUNT) != 0u) atomicAdd(rsCounters.rejectedWeights, 1u);
 }

@@ -9,6 +9,17 @@ vec4 rsLobeOutput(vec4 sum) {
     return vec4(sum.rgb * rsFrame.exposure, luminance > 0.0 ? min(sum.w / luminance, RS_FARTHEST_HIT) : 0.0);
 }
 
+// What di.fill takes from the pixels that a checkerboard lights, in place of motion and emission, which these need no more.
+void rsStoreLit(uvec2 pixel, RsShading shading) {
+    rsSurfacesFrame[rsIndex(pixel)] = uvec2(rsPackRadiance(shading.diffuse.rgb * rsFrame.exposure),
+                                            rsPackRadiance(shading.specular.rgb * rsFrame.exposure));
+}
+RsLobes rsLoadLit(uvec2 pixel) {
+    float scale = rsFrame.exposure > 0.0 ? 1.0 / rsFrame.exposure : 0.0;
+    uvec2 lit = rsSurfacesFrame[rsIndex(pixel)];
+    return RsLobes(rsUnpackRadiance(lit.x) * scale, rsUnpackRadiance(lit.y) * scale);
+}
+
 // Radiance contains what the surface emits, the lobes do not.
 void rsWriteOutputs(uvec2 pixel, RsShading shading) {
     ivec2 at = ivec2(pixel + rsFrame.outputOrigin);
@@ -16,4 +27,5 @@ void rsWriteOutputs(uvec2 pixel, RsShading shading) {
     imageStore(rsRadianceImage, at, vec4((emission + shading.radiance) * rsFrame.exposure, 1.0));
     if ((rsFrame.flags & RS_FRAME_DIFFUSE) != 0u) imageStore(rsDiffuseImage, at, rsLobeOutput(shading.diffuse));
     if ((rsFrame.flags & RS_FRAME_SPECULAR) != 0u) imageStore(rsSpecularImage, at, rsLobeOutput(shading.specular));
+    if (rsFrame.di.field != RS_FIELD_ALL) rsStoreLit(pixel, shading);
 }

@@ -72,6 +72,27 @@ TEST(DiOptions, CommandLines) {
     EXPECT_EQ(parseLine("--no-spatial").spatialPasses, 0u);
 }
 
+TEST(DiOptions, PresetsAreWhatToStartFrom) {
+    using restir::Preset;
+    const std::pair<const char*, Preset> presets[] = {{"fast", Preset::Fast},
+                                                      {"balanced", Preset::Balanced},
+                                                      {"quality", Preset::Quality},
+                                                      {"unbiased", Preset::Unbiased}};
+    std::set<std::string> texts;
+    for (const auto& [name, preset] : presets) {
+        const DiSettings settings = restir::presetSettings(preset);
+        const std::string text = diText(settings);
+        EXPECT_TRUE(texts.insert(text).second) << name << " is like another";
+        EXPECT_EQ(diText(parseDi(std::string("preset=") + name)), text);
+        EXPECT_EQ(diText(parseDi(text)), text);
+        EXPECT_EQ(diText(parseLine(std::string("--max-history 3 --preset ") + name)), diText(parseDi("max-history=3", settings)));
+        restir::SessionDesc desc;
+        samples::declareFor(settings, desc);
+        EXPECT_LE(desc.pairedNeighbours, restir::kPresetPartners);
+    }
+    EXPECT_EQ(whatOf([] { parseDi("preset=best"); }), "preset: 'best' is none of fast|balanced|quality|unbiased");
+}
+
 TEST(DiOptions, RefusalsNameTheCulprit) {
     EXPECT_EQ(whatOf([] { parseDi("weights=best"); }),
               "weights: 'best' is none of off|basic|balance|pairwise|plain");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include <proof/run.h>
@@ -307,6 +308,9 @@ TEST(Proof, Rows) {
     EXPECT_EQ(parseRow("plain=").settings, "weights=pairwise visibility=traced");
     EXPECT_THROW(parseRow("radius"), std::runtime_error);
     EXPECT_EQ(namedRows("weights").size(), 12u);
+    EXPECT_EQ(namedRows("presets").size(), 4u);
+    std::set<std::string> settings;
+    for (const Row& option : namedRows("options")) EXPECT_TRUE(settings.insert(option.settings).second) << option.name;
     EXPECT_THROW(namedRows("nothing"), std::runtime_error);
     EXPECT_NE(Subject({.scene = "a", .scenario = "b", .row = "c"}).seed(0),
               Subject({.scene = "a", .scenario = "b", .row = "d"}).seed(0));

@@ -11,6 +11,7 @@ void main() {
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_FILL);
     RsShading shading = rsNoLight();
-    if (s.valid) shading = rsDiFill(s, pixel, rsFrame.extent, rsFrame.lightCount, rsFrame.di, random);
+    bool distances = (rsFrame.flags & (RS_FRAME_DIFFUSE | RS_FRAME_SPECULAR)) != 0u;
+    if (s.valid) shading = rsDiFill(s, pixel, rsFrame.extent, rsFrame.lightCount, distances, rsFrame.di, random);
     rsWriteOutputs(pixel, shading);
 }

@@ -16,10 +16,13 @@ vec3 rsBridgeBsdf(RsSurface s, vec3 light) { return rsBsdf(s, light); }
 // A direction from three uniform numbers, and its density per solid angle.
 vec3 rsBridgeSampleBsdf(RsSurface s, vec3 u) { return rsSampleBsdf(s, u); }
 float rsBridgeBsdfPdf(RsSurface s, vec3 light) { return rsPdfBsdf(s, light); }
-// The BSDF times cosine in the lobes of Output::diffuse and specular; only asked for where those are.
+// The BSDF times cosine in the lobes of Output::diffuse and specular, each over its factor; only asked for where those
+// are, or a checkerboard.
 RsLobes rsBridgeLobes(RsSurface s, vec3 light) { return rsBsdfLobes(s, light); }
+RsLobes rsBridgeLobeFactors(RsSurface s) { return RsLobes(rsDiffuseAlbedo(s), rsSpecularFactor(s)); }
 #elif !defined(RS_BRIDGE_LOBES)
 RsLobes rsBridgeLobes(RsSurface s, vec3 light) { return RsLobes(rsBridgeBsdf(s, light), vec3(0.0)); }   // all in one
+RsLobes rsBridgeLobeFactors(RsSurface s) { return RsLobes(vec3(1.0), vec3(0.0)); }
 #endif
 
 #ifndef RS_BRIDGE_SCENE

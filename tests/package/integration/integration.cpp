@@ -73,7 +73,7 @@ std::optional<Lighting> makeLighting(const Engine& engine, VkExtent2D maxExtent)
     if (!scene) return fail(scene.error());
     auto lights = restir::LightTable::create(*context, {.maxLights = 100'000});
     if (!lights) return fail(lights.error());
-    auto session = restir::Session::create(*context, {.maxExtent = maxExtent});
+    auto session = restir::Session::create(*context, {.maxExtent = maxExtent, .pairedNeighbours = restir::kPresetPartners});
     if (!session) return fail(session.error());
     return Lighting{std::move(*context), std::move(*scene), std::move(*lights), std::move(*session)};
 }
@@ -103,7 +103,8 @@ bool drawLighting(Lighting& lighting, VkCommandBuffer cmd, const View& view) {
         .lights = &lighting.lights,
         .output = {.radiance = view.lit},
         .resetHistory = view.cut};
-    if (lighting.session.record(cmd, frame, restir::Settings{}) != Status::Ok) return false;
+    const restir::Settings settings{.di = restir::presetSettings(restir::Preset::Balanced)};
+    if (lighting.session.record(cmd, frame, settings) != Status::Ok) return false;
 
     barrier(cmd, restir::Session::outputScope(),
             {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT});

@@ -212,29 +212,5 @@ TEST_F(LongMoving, EverythingAtOnce) {
     expectAllUnbiased(kNoisy, 8 * kPictures, world(), everything(), truth(everything()));
 }
 
-// The animations that builtin:cornell comes with, default settings but for the length of the history.
-TEST(LongMotion, Cornell) {
-    constexpr VkExtent2D kLarge{64, 64};
-    constexpr uint32_t kSeeds = 48;
-    const samples::SceneData scene = samples::makeBuiltin("cornell");
-    World world(scene, kLarge);
-    const std::vector<bool> emitters = emitterBlocks(scene, kLarge, world.view());
-    Verdict verdict(scene.animations.size(), kSeeds);
-    for (const samples::Animation& animation : scene.animations) {
-        const Sequence s{.view = world.view(),
-                         .frames = 20,
-                         .accumulate = true,
-                         .skip = 8,
-                         .jitter = false,
-                         .orbitDegrees = 0.5f,
-                         .motion = animation.motion};
-        const ReferenceBlocks reference =
-            referenceFromSeeds(world.referenceSeeds(32, s, {.paths = 16}, emitters));
-        verdict.add("cornell, " + animation.name,
-                    compare(world.seeds(kSeeds, s, settings(), emitters), reference));
-    }
-    verdict.expectUnitVariance();
-}
-
 }   // namespace
 }   // namespace tests

@@ -31,12 +31,21 @@ void Verdict::expectUnitVariance() const {
     EXPECT_LE(relative, std::max(1.5, 1 + spread));
 }
 
+namespace {
+
+restir::Settings nearAndShort() {
+    restir::Settings settings;
+    settings.di.radius = 6;   // keeps blocks apart, and the cap frames: more independent samples in a picture
+    settings.di.maxHistory = 5;
+    return settings;
+}
+
+}   // namespace
+
 std::vector<NamedSettings> unbiasedSettings() {
     using restir::VisibilityReuse;
     using restir::Weights;
-    restir::Settings base;
-    base.di.radius = 6;   // keeps blocks apart, and the cap frames: more independent samples in a picture
-    base.di.maxHistory = 5;
+    const restir::Settings base = nearAndShort();
     std::vector<NamedSettings> all;
     for (auto [name, weights] : {std::pair("basic", Weights::Basic), std::pair("balance", Weights::Balance),
                                  std::pair("pairwise", Weights::Pairwise)}) {
@@ -72,15 +81,6 @@ std::vector<NamedSettings> unbiasedSettings() {
     restir::Settings permuted = base;
     permuted.di.permuteHistory = true;
     all.push_back({"pairwise traced permuted", permuted});
-    restir::Settings half = base;
-    half.di.checkerboard = true;
-    all.push_back({"checkerboard traced", half});
-    half.di.pairedNeighbours = true;
-    all.push_back({"checkerboard paired traced", half});
-    half.di.pairedNeighbours = false;
-    half.di.visibility = VisibilityReuse::None;
-    half.di.fused = true;
-    all.push_back({"checkerboard fused none", half});
     restir::Settings ris = base;
     ris.di.temporal = false;
     ris.di.spatialPasses = 0;
@@ -101,6 +101,20 @@ std::vector<NamedSettings> unbiasedSettings() {
     restir::Settings nee = base;
     nee.di.mode = restir::DirectMode::NextEvent;
     all.push_back({"nee", nee});
+    return all;
+}
+
+std::vector<NamedSettings> checkerboards() {
+    std::vector<NamedSettings> all;
+    restir::Settings half = nearAndShort();
+    half.di.checkerboard = true;
+    all.push_back({"checkerboard traced", half});
+    half.di.pairedNeighbours = true;
+    all.push_back({"checkerboard paired traced", half});
+    half.di.pairedNeighbours = false;
+    half.di.visibility = restir::VisibilityReuse::None;
+    half.di.fused = true;
+    all.push_back({"checkerboard fused none", half});
     return all;
 }
 

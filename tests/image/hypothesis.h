@@ -36,6 +36,8 @@ struct NamedSettings {
 };
 // Every combination that claims to be unbiased, next-event estimation and plain RIS included.
 std::vector<NamedSettings> unbiasedSettings();
+// Unbiased but for what they fill in.
+std::vector<NamedSettings> checkerboards();
 
 bool allFinite(const samples::FloatImage& image);
 float largest(const samples::FloatImage& image);

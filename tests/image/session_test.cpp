@@ -28,7 +28,7 @@ protected:
     }
     std::unique_ptr<HostView> makeHost(const restir::MemoryProvider& memory = {}) const {
         return std::make_unique<HostView>(
-            *scene, view, HostDesc{.maxExtent = kExtent, .memory = memory, .pairedNeighbours = 8});
+            *scene, view, HostDesc{.maxExtent = kExtent, .memory = memory, .pairedNeighbours = restir::kPresetPartners});
     }
     samples::FloatImage frames(uint32_t first, uint32_t count, uint32_t seed = 0) {
         const samples::FloatImage image = host->frames(first, count, settings, seed);
@@ -215,6 +215,20 @@ TEST_F(SessionTest, CutsTakeMoreSamples) {
     settings.di.cutSamples = 1;
     host->newSession();
     EXPECT_EQ(frames(0, 1).rgb, still.rgb);
+}
+
+// A session that declares kPresetPartners takes any preset in any frame.
+TEST_F(SessionTest, PresetsFollowOneAnother) {
+    settings.counters = true;
+    uint32_t frame = 0;
+    for (auto preset : {restir::Preset::Fast, restir::Preset::Balanced, restir::Preset::Quality,
+                        restir::Preset::Unbiased, restir::Preset::Fast}) {
+        settings.di = restir::presetSettings(preset);
+        for (uint32_t end = frame + 2; frame < end; ++frame) {
+            EXPECT_GT(largest(frames(frame, 1)), 0);
+            EXPECT_EQ(host->session().counters(frame % HostView::kSlots).rejectedWeights, 0u);
+        }
+    }
 }
 
 // Half of the pixels take half of the rays, and in turns: who is filled in now had a reservoir in the last frame.

@@ -32,14 +32,20 @@ SeedStatistics pictures(World& world, uint32_t estimator, const restir::Settings
     return statistics;
 }
 
-TEST(ClosedForm, RectangleOverPlane) {
-    const Patch light = lamp({0, 1, 0}, 0.5f);
+samples::SceneData lampOverPlane() {
     samples::SceneData scene = planeScene();
-    addQuad(scene, light, {.color = {0, 0, 0}, .emission = kRadiance});
-    World world(std::move(scene), kExtent);
-    const ReferenceBlocks truth = exactly(planePicture(world.view(), kExtent, 4, [&](glm::dvec3 p) {
-        return glm::dvec3(kRadiance) * lampIrradiance(light, p);
-    }));
+    addQuad(scene, lamp({0, 1, 0}, 0.5f), {.color = {0, 0, 0}, .emission = kRadiance});
+    return scene;
+}
+samples::FloatImage lampOverPlanePicture(const samples::View& view) {
+    return planePicture(view, kExtent, 4, [](glm::dvec3 p) {
+        return glm::dvec3(kRadiance) * lampIrradiance(lamp({0, 1, 0}, 0.5f), p);
+    });
+}
+
+TEST(ClosedForm, RectangleOverPlane) {
+    World world(lampOverPlane(), kExtent);
+    const ReferenceBlocks truth = exactly(lampOverPlanePicture(world.view()));
 
     std::vector<NamedSettings> all = unbiasedSettings();
     std::erase_if(all, [](const NamedSettings& s) {   // all are in Occluded, where supports differ
@@ -74,13 +80,8 @@ samples::FloatImage halfBlurred(const samples::FloatImage& image) {
 }
 
 TEST(ClosedForm, CheckerboardBlursByAPixelAndNoMore) {
-    const Patch light = lamp({0, 1, 0}, 0.5f);
-    samples::SceneData scene = planeScene();
-    addQuad(scene, light, {.color = {0, 0, 0}, .emission = kRadiance});
-    World world(std::move(scene), kExtent);
-    const ReferenceBlocks truth = exactly(halfBlurred(planePicture(world.view(), kExtent, 4, [&](glm::dvec3 p) {
-        return glm::dvec3(kRadiance) * lampIrradiance(light, p);
-    })));
+    World world(lampOverPlane(), kExtent);
+    const ReferenceBlocks truth = exactly(halfBlurred(lampOverPlanePicture(world.view())));
     const std::vector<NamedSettings> all = checkerboards();
     Verdict verdict(all.size(), kPictures);
     for (uint32_t i = 0; i < all.size(); ++i)

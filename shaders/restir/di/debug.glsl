@@ -47,12 +47,13 @@ vec4 rsShowSample(RsSurface s, RsReservoir r) {
     return vec4(uv, max(1.0 - uv.x - uv.y, 0.0), rsDirect(s, rsLoadLight(r.light), r.uv).incident.distance);
 }
 
-vec4 rsShowDuplicates(RsReservoir r, uvec2 pixel, uvec2 extent) {
+vec4 rsShowDuplicates(RsReservoir r, uvec2 pixel, uvec2 extent, uint field) {
     float count = -1.0;   // itself
     ivec2 first = max(ivec2(pixel) - RS_DEBUG_WINDOW, ivec2(0));
     ivec2 last = min(ivec2(pixel) + RS_DEBUG_WINDOW, ivec2(extent) - 1);
     for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
+            if (!rsIsOnField(ivec2(x, y), field)) continue;   // of another frame
             RsReservoir other = rsLoadSource(uvec2(x, y));
             if (rsHasSample(other) && other.light == r.light && other.uv == r.uv) count += 1.0;
         }
@@ -74,7 +75,7 @@ vec4 rsDiDebug(uint view, RsSurface s, uvec2 pixel, uvec2 extent, RsDiConstants 
     if (view == RS_DEBUG_LIGHT) return vec4(rsIdColor(r.light), r.light);
     if (view == RS_DEBUG_VISIBILITY) return rsShowVisibility(s, r);
     if (view == RS_DEBUG_SAMPLES) return rsShowSample(s, r);
-    return rsShowDuplicates(r, pixel, extent);
+    return rsShowDuplicates(r, pixel, extent, di.field);
 }
 
 #endif

@@ -25,7 +25,9 @@ const char* loadDeviceFunctions(const DeviceInfo& info, Functions& f) noexcept {
     if (!assign(f.name, f.vkGetDeviceProcAddr(info.device, #name))) return #name;
     RESTIR_DEVICE_FUNCTIONS(RESTIR_LOAD)
 #undef RESTIR_LOAD
-#define RESTIR_LOAD(name) assign(f.name, f.vkGetDeviceProcAddr(info.device, #name));
+    // The instance is asked first: where the extension is off a device's layers may give an address all the same.
+#define RESTIR_LOAD(name) \
+    if (info.getInstanceProcAddr(info.instance, #name)) assign(f.name, f.vkGetDeviceProcAddr(info.device, #name));
     RESTIR_OPTIONAL_FUNCTIONS(RESTIR_LOAD)
 #undef RESTIR_LOAD
     return nullptr;

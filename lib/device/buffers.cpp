@@ -52,6 +52,12 @@ int memoryType(const Device& device, uint32_t typeBits, MemoryUse use) noexcept 
     return -1;
 }
 
+Error failureAt(const MessageSink& sink, const char* what, VkDeviceSize bytes, const char* name, VkResult vk) noexcept {
+    report(sink, Severity::Error, "restir: %s: %llu bytes for %s (VkResult %d)", what,
+           static_cast<unsigned long long>(bytes), name, int(vk));
+    return {statusOf(vk, Status::DeviceError), vk, what};
+}
+
 }   // namespace
 
 VkDeviceSize Buffers::memoryNeeded(const Device& device, std::span<const BufferRequest> requests) noexcept {
@@ -83,45 +89,47 @@ Result<bool> Buffers::allocate(std::span<const BufferRequest> requests) noexcept
             const bool mapped = requests[i].use == MemoryUse::DeviceOnly || grants_[i].mapped;
             if (vk == VK_SUCCESS && (!grants_[i].buffer || !mapped))
                 return failure(device_->sink(), Status::InvalidArgument, "MemoryProvider::acquire gave no buffer or no mapping");
-            if (vk != VK_SUCCESS) {
-                return failure(device_->sink(), Status::DeviceError, "MemoryProvider::acquire failed", vk);
-            }
+            if (vk != VK_SUCCESS)
+                return failureAt(device_->sink(), "MemoryProvider::acquire failed", requests[i].size, requests[i].name, vk);
         }
         return true;
     }
     for (MemoryUse use : kUses)
-        if (const VkResult vk = allocateBlock(requests, use); vk != VK_SUCCESS)
-            return failure(device_->sink(), Status::DeviceError, "allocating buffers failed", vk);
+        if (auto done = allocateBlock(requests, use); !done) return done;
     return true;
 }
 
-VkResult Buffers::allocateBlock(std::span<const BufferRequest> requests, MemoryUse use) noexcept {
+Result<bool> Buffers::allocateBlock(std::span<const BufferRequest> requests, MemoryUse use) noexcept {
     const Functions& f = device_->functions;
     const VkDevice device = device_->info.device;
     const Layout total = layoutOf(*device_, requests, use);
-    if (total.size == 0) return VK_SUCCESS;
+    if (total.size == 0) return true;
     const int type = memoryType(*device_, total.typeBits, use);
-    if (type < 0) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    const char* what = "allocating memory failed";
+    const char* name = use == MemoryUse::DeviceOnly ? "the device" : "the host";
+    if (type < 0) return failureAt(device_->sink(), what, total.size, name, VK_ERROR_OUT_OF_DEVICE_MEMORY);
     const VkMemoryAllocateInfo allocateInfo{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                                             .allocationSize = total.size,
                                             .memoryTypeIndex = uint32_t(type)};
     VkDeviceMemory& block = blocks_[size_t(use)];
-    if (VkResult vk = f.vkAllocateMemory(device, &allocateInfo, device_->allocator(), &block); vk != VK_SUCCESS) return vk;
+    VkResult vk = orNull(f.vkAllocateMemory(device, &allocateInfo, device_->allocator(), &block), block);
     void* mapped = nullptr;
-    if (use != MemoryUse::DeviceOnly)
-        if (VkResult vk = f.vkMapMemory(device, block, 0, VK_WHOLE_SIZE, 0, &mapped); vk != VK_SUCCESS) return vk;
+    if (vk == VK_SUCCESS && use != MemoryUse::DeviceOnly) vk = f.vkMapMemory(device, block, 0, VK_WHOLE_SIZE, 0, &mapped);
+    if (vk != VK_SUCCESS) return failureAt(device_->sink(), what, total.size, name, vk);
 
     Layout placed;
     for (size_t i = 0; i < requests.size(); ++i) {
         if (requests[i].use != use) continue;
         const VkDeviceSize offset = placed.place(requirements(*device_, requests[i]));
         const VkBufferCreateInfo info = createInfo(requests[i]);
-        if (VkResult vk = f.vkCreateBuffer(device, &info, device_->allocator(), &grants_[i].buffer); vk != VK_SUCCESS)
-            return vk;
-        if (VkResult vk = f.vkBindBufferMemory(device, grants_[i].buffer, block, offset); vk != VK_SUCCESS) return vk;
+        VkBuffer& buffer = grants_[i].buffer;
+        vk = orNull(f.vkCreateBuffer(device, &info, device_->allocator(), &buffer), buffer);
+        if (vk == VK_SUCCESS) vk = f.vkBindBufferMemory(device, buffer, block, offset);
+        if (vk != VK_SUCCESS)
+            return failureAt(device_->sink(), "creating a buffer failed", requests[i].size, requests[i].name, vk);
         if (mapped) grants_[i].mapped = static_cast<uint8_t*>(mapped) + offset;
     }
-    return VK_SUCCESS;
+    return true;
 }
 
 void Buffers::release() noexcept {

@@ -32,7 +32,7 @@ public:
 
 private:
     Result<bool> allocate(std::span<const BufferRequest> requests) noexcept;
-    VkResult allocateBlock(std::span<const BufferRequest> requests, MemoryUse use) noexcept;
+    Result<bool> allocateBlock(std::span<const BufferRequest> requests, MemoryUse use) noexcept;
     void release() noexcept;
     void swap(Buffers& other) noexcept;
 

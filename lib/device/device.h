@@ -25,4 +25,11 @@ uint64_t handleValue(Handle handle) noexcept {
     else return handle;
 }
 
+// Vulkan leaves undefined what a call that failed returns; null is what destructors know.
+template <class Handle>
+VkResult orNull(VkResult vk, Handle& handle) noexcept {
+    if (vk != VK_SUCCESS) handle = VK_NULL_HANDLE;
+    return vk;
+}
+
 }   // namespace restir

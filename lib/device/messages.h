@@ -29,10 +29,14 @@ Status refuse(const MessageSink& sink, const char* format, Args... args) noexcep
     return Status::InvalidArgument;
 }
 
+inline Status statusOf(VkResult vk, Status other) noexcept {
+    if (vk == VK_ERROR_OUT_OF_HOST_MEMORY) return Status::OutOfHostMemory;
+    return vk == VK_ERROR_OUT_OF_DEVICE_MEMORY ? Status::OutOfDeviceMemory : other;
+}
+
 // An error whose long form is the same as its short one.
 inline Error failure(const MessageSink& sink, Status status, const char* what, VkResult vk = VK_SUCCESS) noexcept {
-    if (vk == VK_ERROR_OUT_OF_HOST_MEMORY) status = Status::OutOfHostMemory;
-    if (vk == VK_ERROR_OUT_OF_DEVICE_MEMORY) status = Status::OutOfDeviceMemory;
+    status = statusOf(vk, status);
     if (vk == VK_SUCCESS) report(sink, Severity::Error, "restir: %s", what);
     else report(sink, Severity::Error, "restir: %s (VkResult %d)", what, int(vk));
     return {status, vk, what};

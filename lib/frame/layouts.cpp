@@ -13,7 +13,7 @@ VkResult makeSetLayout(const Device& device, std::span<const VkDescriptorSetLayo
                                                .pNext = &flagInfo,
                                                .bindingCount = uint32_t(bindings.size()),
                                                .pBindings = bindings.data()};
-    return device.functions.vkCreateDescriptorSetLayout(device.info.device, &info, device.allocator(), &layout);
+    return orNull(device.functions.vkCreateDescriptorSetLayout(device.info.device, &info, device.allocator(), &layout), layout);
 }
 
 VkResult makeFrameLayout(Context::Impl& c) noexcept {
@@ -57,8 +57,8 @@ VkResult makePipelineLayout(Context::Impl& c) noexcept {
                                           .pSetLayouts = sets,
                                           .pushConstantRangeCount = 1,
                                           .pPushConstantRanges = &push};
-    return c.device.functions.vkCreatePipelineLayout(c.device.info.device, &info, c.device.allocator(),
-                                                     &c.pipelineLayout);
+    return orNull(c.device.functions.vkCreatePipelineLayout(c.device.info.device, &info, c.device.allocator(), &c.pipelineLayout),
+                  c.pipelineLayout);
 }
 
 }   // namespace

@@ -48,16 +48,16 @@ VkResult makeSets(Session::Impl& s) noexcept {
                                               .maxSets = c.framesInFlight,
                                               .poolSizeCount = uint32_t(sizes.size()),
                                               .pPoolSizes = sizes.data()};
-    if (VkResult vk = f.vkCreateDescriptorPool(c.device.info.device, &poolInfo, c.device.allocator(), &s.pool);
-        vk != VK_SUCCESS)
-        return vk;
+    VkResult vk = orNull(f.vkCreateDescriptorPool(c.device.info.device, &poolInfo, c.device.allocator(), &s.pool), s.pool);
+    if (vk != VK_SUCCESS) return vk;
     const std::vector<VkDescriptorSetLayout> layouts(c.framesInFlight, c.frameLayout);
     s.sets.resize(c.framesInFlight);
     const VkDescriptorSetAllocateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
                                            .descriptorPool = s.pool,
                                            .descriptorSetCount = c.framesInFlight,
                                            .pSetLayouts = layouts.data()};
-    if (VkResult vk = f.vkAllocateDescriptorSets(c.device.info.device, &info, s.sets.data()); vk != VK_SUCCESS) return vk;
+    vk = f.vkAllocateDescriptorSets(c.device.info.device, &info, s.sets.data());
+    if (vk != VK_SUCCESS) return vk;
     for (VkDescriptorSet set : s.sets) c.device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleValue(set), "frame");
     return VK_SUCCESS;
 }
@@ -70,7 +70,7 @@ VkResult makeQueries(Session::Impl& s) noexcept {
     const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                                      .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                      .queryCount = 2 * kMaxTimedPasses * c.framesInFlight};
-    return c.device.functions.vkCreateQueryPool(c.device.info.device, &info, c.device.allocator(), &s.queries);
+    return orNull(c.device.functions.vkCreateQueryPool(c.device.info.device, &info, c.device.allocator(), &s.queries), s.queries);
 }
 
 }   // namespace
@@ -160,6 +160,7 @@ std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {
     const VkResult vk = s.device().functions.vkGetQueryPoolResults(
         s.device().info.device, s.queries, frameSlot * 2 * kMaxTimedPasses, uint32_t(stamps.size()),
         stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
+    if (vk < 0) failure(s.device().sink(), Status::DeviceError, "reading the timestamps of the passes failed", vk);
     if (vk != VK_SUCCESS) return {};
     const uint64_t mask = ~uint64_t(0) >> (64 - s.device().timestampBits);
     for (size_t i = 0; i < passes.size(); ++i) {

@@ -48,9 +48,9 @@ VkResult allocateSet(const Context::Impl& context, VkDescriptorPool& pool, VkDes
                                               .maxSets = 1,
                                               .poolSizeCount = 2,
                                               .pPoolSizes = sizes};
-    if (VkResult vk = device.functions.vkCreateDescriptorPool(device.info.device, &poolInfo, device.allocator(), &pool);
-        vk != VK_SUCCESS)
-        return vk;
+    const VkResult vk = orNull(
+        device.functions.vkCreateDescriptorPool(device.info.device, &poolInfo, device.allocator(), &pool), pool);
+    if (vk != VK_SUCCESS) return vk;
     const VkDescriptorSetAllocateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
                                            .descriptorPool = pool,
                                            .descriptorSetCount = 1,

@@ -112,7 +112,8 @@ restir::FrameInput HostView::input(uint32_t index) const {
     return input;
 }
 
-void HostView::record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings) {
+void HostView::record(VkCommandBuffer cmd, restir::Session& session, const restir::FrameInput& input,
+                      const restir::Settings& settings) {
     const restir::Scope scope = restir::Session::outputScope();
     const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
     const Access before{kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last use was copied
@@ -121,7 +122,7 @@ void HostView::record(VkCommandBuffer cmd, const restir::FrameInput& input, cons
             samples::pipelineBarrier(cmd, {{samples::imageBarrier(targets_[input.frameSlot][t], from, to)}});
     };
     barriers(before, written);
-    device().check(session_->record(cmd, input, settings), "Session::record");
+    device().check(session.record(cmd, input, settings), "Session::record");
     barriers(written, kCopyFrom);
     VkExtent2D& extent = extents_[input.frameSlot];
     extent.width = input.extent.width + uint32_t(input.output.origin.x);

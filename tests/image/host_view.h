@@ -45,7 +45,11 @@ public:
     // A whole frame as frame `index` of a sequence would have it.
     restir::FrameInput input(uint32_t index) const;
     // With what the target needs around it.
-    void record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings);
+    void record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings) {
+        record(cmd, *session_, input, settings);
+    }
+    void record(VkCommandBuffer cmd, restir::Session& session, const restir::FrameInput& input,
+                const restir::Settings& settings);
     samples::FloatImage read(uint32_t slot) const;   // once the GPU is done
     std::span<const glm::vec4> read(uint32_t slot, Target target) const;   // HostDesc::allOutputs
 

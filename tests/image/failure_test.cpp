@@ -1,0 +1,210 @@
+// Every Vulkan call that the SDK makes and that can fail does so, one by one: it is said, nothing is left
+// behind, and a second try gives the same picture.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <functional>
+#include <map>
+
+#include "image/faults.h"
+#include "image/host_view.h"
+#include "image/stage.h"
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+using restir::Status;
+
+constexpr VkExtent2D kExtent{16, 12}, kSmaller{8, 8};
+
+// What a message must name when a call fails.
+const std::map<std::string, const char*> kNamed = {
+    {"vkAllocateMemory", "bytes"},
+    {"vkMapMemory", "bytes"},
+    {"vkCreateBuffer", "buffer"},
+    {"vkBindBufferMemory", "buffer"},
+    {"vkCreateShaderModule", "pipeline of"},
+    {"vkCreateDescriptorSetLayout", "set layout"},
+    {"vkCreatePipelineLayout", "pipeline layout"},
+    {"vkCreateComputePipelines", "pipeline of"},
+    {"vkCreateDescriptorPool", "descriptor set"},
+    {"vkAllocateDescriptorSets", "descriptor set"},
+    {"vkCreateQueryPool", "query pool"},
+    {"vkGetQueryPoolResults", "timestamps"},
+};
+
+Status expectedStatus(VkResult result) {
+    if (result == VK_ERROR_OUT_OF_HOST_MEMORY) return Status::OutOfHostMemory;
+    return result == VK_ERROR_OUT_OF_DEVICE_MEMORY ? Status::OutOfDeviceMemory : Status::DeviceError;
+}
+
+class Failure : public testing::Test {
+protected:
+    Failure() {
+        samples::SceneData data = planeScene();
+        addQuad(data, lamp({0, 1, 0}, 0.5f), {.emission = {1, 1, 1}});
+        const samples::View view = data.views[0];
+        scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
+        host = std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent});
+        desc = HostView::contextDesc();
+        desc.device = faults::wrap(desc.device);
+        desc.device.messages = {.user = this, .report = [](void* user, restir::Severity, const char* text) {
+                                    static_cast<Failure*>(user)->messages += std::string(text) + "\n";
+                                }};
+        faults::reset();
+    }
+
+    // What `make` gives, at the second try where the first one runs into the fault and there is another.
+    template <class Make>
+    auto made(Make make, int tries = 2) -> decltype(make()) {
+        const std::string before = faults::live();
+        messages.clear();
+        auto result = make();
+        if (result) return result;
+        ++refusals;
+        if (faults::live() != before) ++leaks;
+        const restir::Error& error = result.error();
+        const bool named = messages.find(kNamed.at(faults::failed())) != std::string::npos;
+        if (error.status != expectedStatus(fault) || error.vk != fault || !*error.what || !named) {
+            ++wrong;
+            ADD_FAILURE() << faults::failed() << ": status " << int(error.status) << ", " << error.what
+                          << ", " << messages;
+        }
+        return tries > 1 ? make() : std::move(result);
+    }
+
+    samples::FloatImage render(restir::Session& session, const restir::Scene& scene_,
+                               restir::LightTable& lights, uint32_t index, VkExtent2D extent) {
+        restir::FrameInput input = host->input(index);
+        input.extent = extent;
+        input.scene = &scene_;
+        input.lights = &lights;
+        EXPECT_EQ(lights.upload(input.frameSlot, scene->lights()), Status::Ok);
+        device().submitAndWait([&](VkCommandBuffer cmd) {
+            EXPECT_EQ(lights.record(cmd, input.frameSlot), Status::Ok);
+            host->record(cmd, session, input, unbiased());
+        });
+        return host->read(input.frameSlot);
+    }
+
+    // From a context to nothing but that context: all objects, frames, a resize, frames, the end.
+    samples::FloatImage life(const restir::Context& context) {
+        auto set = made([&] {
+            return restir::Scene::create(context, {.instances = scene->instances(),
+                                                   .materials = scene->materials(),
+                                                   .textures = scene->textures()});
+        });
+        auto lights =
+            made([&] { return restir::LightTable::create(context, {.maxLights = scene->maxLights()}); });
+        auto session = made([&] { return restir::Session::create(context, {.maxExtent = kSmaller}); });
+        if (!set || !lights || !session) return {};
+        const uint32_t before = faults::calls();
+        render(*session, *set, *lights, 0, kSmaller);
+        EXPECT_EQ(faults::calls(), before) << "recording calls nothing that can fail";
+        messages.clear();
+        if (session->timings(0).empty()) {
+            ++refusals;
+            if (messages.find(kNamed.at("vkGetQueryPoolResults")) == std::string::npos) ++wrong;
+        }
+        auto larger = made(
+            [&] { return restir::Session::create(context, {.maxExtent = kExtent, .pairedNeighbours = 4}); });
+        if (!larger) return {};
+        render(*session, *set, *lights, 1, kSmaller);   // the old one goes on
+        *session = std::move(*larger);
+        return render(*session, *set, *lights, 2, kExtent);
+    }
+
+    struct Row {
+        uint32_t failed = 0, refused = 0, leaks = 0, wrong = 0, strangers = 0, changed = 0;
+    };
+    // Lets `act` meet a failure of each of its calls, and hands it what was counted.
+    void failEach(uint32_t calls, const std::function<bool()>& act) {
+        constexpr VkResult kFaults[] = {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY,
+                                        VK_ERROR_DEVICE_LOST};
+        const std::string before = faults::live();
+        for (uint32_t n = 0; n < calls; ++n) {
+            faults::reset();
+            refusals = leaks = wrong = 0;
+            fault = kFaults[n % 3];
+            faults::failCallAfter(n, fault);
+            const bool same = act();
+            Row& row = rows[faults::failed()];
+            ++row.failed;
+            row.refused += refusals;
+            row.leaks += leaks + (faults::live() == before ? 0 : 1);
+            row.wrong += wrong;
+            row.strangers += faults::strangers();
+            row.changed += same ? 0 : 1;
+        }
+    }
+
+    std::unique_ptr<samples::GpuScene> scene;
+    std::unique_ptr<HostView> host;
+    restir::ContextDesc desc;
+    std::string messages;
+    VkResult fault = VK_SUCCESS;
+    uint32_t refusals = 0, leaks = 0, wrong = 0;
+    std::map<std::string, Row> rows;
+};
+
+TEST_F(Failure, OfEveryCallInALife) {
+    {
+        faults::failNames();   // objects without names are as good
+        const auto context = restir::Context::create(desc);
+        ASSERT_TRUE(context);
+        const uint32_t creation = faults::calls();
+        failEach(creation, [&] {
+            return !made([&] { return restir::Context::create(desc); }, 1);
+        });
+        faults::reset();
+        refusals = 0;
+        const samples::FloatImage expected = life(*context);
+        ASSERT_EQ(refusals, 0u);
+        failEach(faults::calls(), [&] { return life(*context).rgb == expected.rgb; });
+    }
+    EXPECT_EQ(faults::live(), "");
+    const auto line = [](const char* call, const Row& row) {
+        std::printf("%-30s %6u %8u %6u %15u %16u %14u\n", call, row.failed, row.refused, row.leaks, row.wrong,
+                    row.strangers, row.changed);
+    };
+    std::printf("%-30s %6s %8s %6s %15s %16s %14s\n", "call", "failed", "refused", "leaks", "wrong statuses",
+                "strangers freed", "other pictures");
+    Row sum;
+    for (const auto& [call, row] : rows) {
+        line(call.c_str(), row);
+        EXPECT_EQ(row.refused, row.failed) << call;
+        EXPECT_EQ(row.leaks + row.wrong + row.strangers + row.changed, 0u) << call;
+        sum.failed += row.failed;
+    }
+    std::printf("%u calls failed\n", sum.failed);
+    EXPECT_EQ(rows.size(), kNamed.size());
+}
+
+// A loader or device without one of the functions: the message names it.
+TEST_F(Failure, OfEveryLookup) {
+    ASSERT_TRUE(restir::Context::create(desc));
+    const uint32_t lookups = faults::lookups();
+    uint32_t refused = 0, optional = 0;
+    for (uint32_t n = 0; n < lookups; ++n) {
+        faults::reset();
+        faults::failLookupAfter(n);
+        messages.clear();
+        const auto context = restir::Context::create(desc);
+        if (faults::failed().ends_with("EXT")) {   // names and labels
+            EXPECT_TRUE(context) << faults::failed();
+            if (++optional == 2) break;   // they come last, and each takes as long as making all pipelines
+            continue;
+        }
+        ++refused;
+        ASSERT_FALSE(context) << faults::failed();
+        EXPECT_EQ(context.error().status, Status::MissingFeature);
+        EXPECT_NE(messages.find(faults::failed()), std::string::npos) << messages;
+        EXPECT_EQ(faults::live(), "");
+    }
+    EXPECT_GT(refused, 30u);
+    EXPECT_EQ(faults::live(), "");
+}
+
+}   // namespace
+}   // namespace tests

@@ -96,6 +96,11 @@ struct Output {
     VkOffset2D origin = {0, 0};              // of the view's rectangle inside them
 };
 
+struct PassTiming {
+    const char* name = "";   // as in debug labels
+    double milliseconds = 0;
+};
+
 // Stages and access of the SDK at its edges, for the host's barriers.
 struct Scope {
     VkPipelineStageFlags2 stages = 0;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include <restir/context.h>
+#include <restir/frame.h>
 #include <restir/shared/scene.h>
 
 namespace restir {
@@ -59,13 +60,17 @@ public:
     ~LightTable();   // the GPU is done with its last frame
 
     // All lights of this frame; those not named are gone. The GPU is done with the slot's last use, and after a recorded
-    // command buffer that was never submitted the lights must be uploaded again. Validates, builds the power-proportional alias table
-    // (Walker 1977, Vose 1991) and copies both to the slot's staging memory; record() must follow. On an error
-    // the message sink names the light and the field, and the previous lights stay.
+    // command buffer that was never submitted the lights must be uploaded again. Checks the lights and packs them into
+    // the slot's staging memory, in one pass; record() must follow. On an error the message sink names the light and the
+    // field, and the previous lights stay.
     [[nodiscard]] Status upload(uint32_t frameSlot, std::span<const Light> lights) noexcept;
-    // Records the copy of the last upload; call after every upload and before Session::record. Without a new
-    // upload it records nothing.
+    // Records the copy of the last upload and the passes that build the table to draw lights from, by their power; call
+    // after every upload and before Session::record, outside any render pass. Without a new upload it records nothing.
+    // Leaves the compute bind point with the SDK's pipeline and set.
     [[nodiscard]] Status record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept;
+
+    // As Session::timings(), of the last build recorded in `frameSlot`.
+    std::span<const PassTiming> timings(uint32_t frameSlot) noexcept;
 
     struct Impl;
 

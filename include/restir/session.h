@@ -69,11 +69,6 @@ struct PassInfo {
     std::span<const Use> uses() const noexcept { return {useList, useCount}; }
 };
 
-struct PassTiming {
-    const char* name = "";
-    double milliseconds = 0;
-};
-
 struct BufferInfo {
     const char* name = "";
     VkDeviceSize bytes = 0;

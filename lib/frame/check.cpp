@@ -103,15 +103,15 @@ Status checkObjects(const Session::Impl& s, const FrameInput& frame) noexcept {
     const MessageSink& sink = s.device().sink();
     const LightTable::Impl& lights = Internals::of(*frame.lights);
     if (lights.context != s.context) return refuse(sink, "restir: FrameInput::lights is of another Context");
-    if (lights.uploaded)
+    if (lights.pending)
         return refuse(sink, "restir: FrameInput::lights has an upload that LightTable::record has not recorded");
     if (!s.context->ownsSceneLayout)
         return frame.bridgeSet ? Status::Ok : refuse(sink, "restir: FrameInput::bridgeSet is null");
     if (!frame.scene) return refuse(sink, "restir: FrameInput::scene is null");
     const Scene::Impl& scene = Internals::of(*frame.scene);
     if (scene.context != s.context) return refuse(sink, "restir: FrameInput::scene is of another Context");
-    if (lights.textures > scene.textures)
-        return refuse(sink, "restir: FrameInput::lights uses texture %u, FrameInput::scene has %u", lights.textures - 1,
+    if (lights.recorded.textures > scene.textures)
+        return refuse(sink, "restir: FrameInput::lights uses texture %u, FrameInput::scene has %u", lights.recorded.textures - 1,
                       scene.textures);
     return Status::Ok;
 }

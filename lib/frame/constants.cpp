@@ -104,8 +104,8 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.gbufferOrigin = {uint32_t(g.origin.x), uint32_t(g.origin.y)};
     c.outputOrigin = {uint32_t(frame.output.origin.x), uint32_t(frame.output.origin.y)};
     c.seed = seedOf(frame.frameIndex, frame.seed);
-    c.lightCount = lights.count;
-    c.previousLightCount = lightsChanged ? lights.previousCount : lights.count;
+    c.lightCount = lights.recorded.count;
+    c.previousLightCount = lightsChanged ? lights.previousCount : lights.recorded.count;
     c.flags = flagsOf(frame, settings, history);
     c.emptyDepth = g.emptyDepth;
     c.exposure = frame.exposure;

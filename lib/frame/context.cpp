@@ -13,6 +13,8 @@ const ShaderPack::Module* findModule(const ShaderPack& pack, const char* pass) n
     return nullptr;
 }
 
+bool isOf(const char* room, const char* pass) noexcept { return !std::strncmp(pass, room, std::strlen(room)); }
+
 VkResult makePipeline(const Context::Impl& c, const ShaderPack::Module& module, VkPipeline& pipeline) noexcept {
     const Functions& f = c.device.functions;
     const VkDevice device = c.device.info.device;
@@ -27,7 +29,7 @@ VkResult makePipeline(const Context::Impl& c, const ShaderPack::Module& module, 
                                                      .stage = VK_SHADER_STAGE_COMPUTE_BIT,
                                                      .module = shader,
                                                      .pName = "main"},
-                                           .layout = c.pipelineLayout};
+                                           .layout = isOf("lights.", module.pass) ? c.tablePipelineLayout : c.pipelineLayout};
     const VkResult vk =
         f.vkCreateComputePipelines(device, c.device.info.pipelineCache, 1, &info, c.device.allocator(), &pipeline);
     f.vkDestroyShaderModule(device, shader, c.device.allocator());
@@ -152,6 +154,8 @@ Context::Impl::~Impl() {
     for (const Pipeline& entry : pipelines)
         if (entry.pipeline) f.vkDestroyPipeline(vk, entry.pipeline, device.allocator());
     if (pipelineLayout) f.vkDestroyPipelineLayout(vk, pipelineLayout, device.allocator());
+    if (tablePipelineLayout) f.vkDestroyPipelineLayout(vk, tablePipelineLayout, device.allocator());
+    if (tableLayout) f.vkDestroyDescriptorSetLayout(vk, tableLayout, device.allocator());
     if (frameLayout) f.vkDestroyDescriptorSetLayout(vk, frameLayout, device.allocator());
     if (sceneLayout && ownsSceneLayout) f.vkDestroyDescriptorSetLayout(vk, sceneLayout, device.allocator());
 }

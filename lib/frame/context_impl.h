@@ -18,12 +18,14 @@ struct Context::Impl {
     VkDescriptorSetLayout frameLayout = VK_NULL_HANDLE;   // set 0
     VkDescriptorSetLayout sceneLayout = VK_NULL_HANDLE;   // set 1: ours or the host's bridge's
     VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
+    VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE;   // set 0 of LightTable's passes
+    VkPipelineLayout tablePipelineLayout = VK_NULL_HANDLE;
 
     struct Pipeline {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 13> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 21> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatiotemporal"},
@@ -35,7 +37,15 @@ struct Context::Impl {
                                        {"di.fill"},
                                        {"di.gradient"},
                                        {"di.debug"},
-                                       {"di.next_event"}}};
+                                       {"di.next_event"},
+                                       {"lights.extent"},
+                                       {"lights.power"},
+                                       {"lights.sum"},
+                                       {"lights.scale"},
+                                       {"lights.reduce"},
+                                       {"lights.prefix"},
+                                       {"lights.scan"},
+                                       {"lights.alias"}}};
 
     VkPipeline pipelineOf(const char* pass) const noexcept;
     ~Impl();

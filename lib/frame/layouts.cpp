@@ -1,5 +1,7 @@
 #include <frame/layouts.h>
 
+#include <restir/shared/light_table.h>
+
 namespace restir {
 namespace {
 
@@ -49,16 +51,32 @@ VkResult makeSceneLayout(Context::Impl& c) noexcept {
     return makeSetLayout(c.device, bindings, flags, c.sceneLayout);
 }
 
-VkResult makePipelineLayout(Context::Impl& c) noexcept {
-    const VkDescriptorSetLayout sets[] = {c.frameLayout, c.sceneLayout};
-    const VkPushConstantRange push{.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT, .size = sizeof(gpu::RsPass)};
+VkResult makeTableLayout(Context::Impl& c) noexcept {
+    VkDescriptorSetLayoutBinding bindings[RS_TABLE_BIND_COUNT];
+    for (uint32_t i = 0; i < RS_TABLE_BIND_COUNT; ++i)
+        bindings[i] = {.binding = i,
+                       .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                       .descriptorCount = 1,
+                       .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
+    const VkDescriptorBindingFlags flags[RS_TABLE_BIND_COUNT] = {};
+    return makeSetLayout(c.device, bindings, flags, c.tableLayout);
+}
+
+VkResult makePipelineLayout(const Context::Impl& c, std::span<const VkDescriptorSetLayout> sets, uint32_t pushBytes,
+                            VkPipelineLayout& layout) noexcept {
+    const VkPushConstantRange push{.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT, .size = pushBytes};
     const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                          .setLayoutCount = 2,
-                                          .pSetLayouts = sets,
+                                          .setLayoutCount = uint32_t(sets.size()),
+                                          .pSetLayouts = sets.data(),
                                           .pushConstantRangeCount = 1,
                                           .pPushConstantRanges = &push};
-    return orNull(c.device.functions.vkCreatePipelineLayout(c.device.info.device, &info, c.device.allocator(), &c.pipelineLayout),
-                  c.pipelineLayout);
+    return orNull(c.device.functions.vkCreatePipelineLayout(c.device.info.device, &info, c.device.allocator(), &layout), layout);
+}
+
+VkResult makePipelineLayouts(Context::Impl& c) noexcept {
+    const VkDescriptorSetLayout frame[] = {c.frameLayout, c.sceneLayout};
+    if (VkResult vk = makePipelineLayout(c, frame, sizeof(gpu::RsPass), c.pipelineLayout); vk != VK_SUCCESS) return vk;
+    return makePipelineLayout(c, {&c.tableLayout, 1}, sizeof(gpu::RsTablePass), c.tablePipelineLayout);
 }
 
 }   // namespace
@@ -71,8 +89,10 @@ Result<bool> makeLayouts(Context::Impl& c, VkDescriptorSetLayout bridge) noexcep
     if (!bridge)
         if (VkResult vk = makeSceneLayout(c); vk != VK_SUCCESS)
             return failure(sink, Status::DeviceError, "creating the scene's set layout failed", vk);
-    if (VkResult vk = makePipelineLayout(c); vk != VK_SUCCESS)
-        return failure(sink, Status::DeviceError, "creating the pipeline layout failed", vk);
+    if (VkResult vk = makeTableLayout(c); vk != VK_SUCCESS)
+        return failure(sink, Status::DeviceError, "creating the light table's set layout failed", vk);
+    if (VkResult vk = makePipelineLayouts(c); vk != VK_SUCCESS)
+        return failure(sink, Status::DeviceError, "creating the pipeline layouts failed", vk);
     return true;
 }
 

@@ -18,7 +18,7 @@ constexpr VkDescriptorType bindingType(uint32_t binding) noexcept {
 
 constexpr uint32_t bindingCount(uint32_t binding) noexcept { return binding == RS_BIND_RESERVOIRS ? 2 : 1; }
 
-// Fills frameLayout, sceneLayout and pipelineLayout.
+// Fills all layouts of the Context.
 Result<bool> makeLayouts(Context::Impl& context, VkDescriptorSetLayout bridge) noexcept;
 
 }   // namespace restir

@@ -3,6 +3,7 @@
 
 #include <device/barrier.h>
 #include <device/internals.h>
+#include <device/label.h>
 #include <frame/check.h>
 #include <frame/constants.h>
 #include <frame/descriptors.h>
@@ -20,7 +21,7 @@ constexpr VkAccessFlags2 kShaderAccess = kShaderWrite | VK_ACCESS_2_SHADER_STORA
 // Records one frame's passes; only lives during record().
 class Recorder {
 public:
-    Recorder(const Session::Impl& session, VkCommandBuffer cmd, uint32_t slot) noexcept
+    Recorder(Session::Impl& session, VkCommandBuffer cmd, uint32_t slot) noexcept
         : s_(session), f_(session.device().functions), cmd_(cmd), slot_(slot) {}
 
     void barrier(VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to, VkAccessFlags2 access) noexcept {
@@ -44,60 +45,40 @@ public:
         f_.vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineLayout, 0, 2, sets, 0, nullptr);
     }
 
-    void resetQueries() noexcept {
-        if (s_.queries) f_.vkCmdResetQueryPool(cmd_, s_.queries, firstQuery(), 2 * kMaxTimedPasses);
-    }
-
-    void pass(const PassInfo& pass, uint32_t number) noexcept {
+    void pass(const PassInfo& pass) noexcept {
         if (hazards_.conflicts(pass)) {
             barrier(kCompute, kShaderWrite, kCompute, kShaderAccess);
             hazards_ = {};
         }
         hazards_.add(pass);
-        beginLabel(pass.name);
-        stamp(2 * number);
+        const Label label(f_, cmd_, pass.name);
+        s_.stopwatch.start(cmd_, slot_, pass.name);
         f_.vkCmdBindPipeline(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineOf(pass.name));
         const gpu::RsPass constants{.source = pass.source, .target = pass.target, .index = pass.index, .shades = pass.shades ? 1u : 0u};
         f_.vkCmdPushConstants(cmd_, s_.context->pipelineLayout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
         f_.vkCmdDispatch(cmd_, pass.groups[0], pass.groups[1], pass.groups[2]);
-        stamp(2 * number + 1);
-        endLabel();
-    }
-
-    void beginLabel(const char* name) noexcept {
-        if (!f_.vkCmdBeginDebugUtilsLabelEXT) return;
-        const VkDebugUtilsLabelEXT label{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, .pLabelName = name};
-        f_.vkCmdBeginDebugUtilsLabelEXT(cmd_, &label);
-    }
-    void endLabel() noexcept {
-        if (f_.vkCmdEndDebugUtilsLabelEXT) f_.vkCmdEndDebugUtilsLabelEXT(cmd_);
+        s_.stopwatch.stop(cmd_, slot_);
     }
 
 private:
-    uint32_t firstQuery() const noexcept { return slot_ * 2 * kMaxTimedPasses; }
-    void stamp(uint32_t query) noexcept {
-        if (s_.queries) f_.vkCmdWriteTimestamp2(cmd_, kCompute, s_.queries, firstQuery() + query);
-    }
-
-    const Session::Impl& s_;
+    Session::Impl& s_;
     const Functions& f_;
     VkCommandBuffer cmd_;
     uint32_t slot_;
     Hazards hazards_;
 };
 
-void recordPasses(const Session::Impl& s, VkCommandBuffer cmd, const FrameInput& frame, bool counters) noexcept {
+void recordPasses(Session::Impl& s, VkCommandBuffer cmd, const FrameInput& frame, bool counters) noexcept {
     Recorder recorder(s, cmd, frame.frameSlot);
-    recorder.beginLabel("restir");
+    const Label label(s.device().functions, cmd, "restir");
     // The history of this view, the last readers of what is rewritten now, and the last use of the counters.
     recorder.barrier(kCompute | kTransfer, kShaderWrite | VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute | kTransfer,
                      kShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT);
-    recorder.resetQueries();
+    s.stopwatch.reset(cmd, frame.frameSlot);
     if (counters) recorder.clearCounters();
     recorder.bind(s.context->ownsSceneLayout ? Internals::of(*frame.scene).set : frame.bridgeSet);
-    for (uint32_t i = 0; i < s.plan.passes.size(); ++i) recorder.pass(s.plan.passes[i], i);
+    for (const PassInfo& pass : s.plan.passes) recorder.pass(pass);
     if (counters) recorder.readCounters();
-    recorder.endLabel();
 }
 
 }   // namespace
@@ -116,10 +97,7 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
     writeDescriptors(s, frame, surfaces, sameLights ? lights.current() : lights.previous());
     recordPasses(s, cmd, frame, settings.counters);
 
-    std::vector<const char*>& timed = s.timedPasses[frame.frameSlot];
     s.counted[frame.frameSlot] = settings.counters;
-    timed.clear();
-    for (const PassInfo& pass : s.plan.passes) timed.push_back(pass.name);
     s.history = {.valid = settings.di.mode == DirectMode::Restir,
                  .surfaces = surfaces,
                  .reservoirs = s.plan.historyOut,

@@ -62,17 +62,6 @@ VkResult makeSets(Session::Impl& s) noexcept {
     return VK_SUCCESS;
 }
 
-VkResult makeQueries(Session::Impl& s) noexcept {
-    const Context::Impl& c = *s.context;
-    s.timedPasses.resize(c.framesInFlight);
-    s.counted.resize(c.framesInFlight);
-    if (c.device.timestampBits == 0) return VK_SUCCESS;
-    const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-                                     .queryType = VK_QUERY_TYPE_TIMESTAMP,
-                                     .queryCount = 2 * kMaxTimedPasses * c.framesInFlight};
-    return orNull(c.device.functions.vkCreateQueryPool(c.device.info.device, &info, c.device.allocator(), &s.queries), s.queries);
-}
-
 }   // namespace
 
 std::vector<BufferRequest> sessionRequests(const Context::Impl& c, const SessionDesc& desc) {
@@ -108,7 +97,6 @@ Session::~Session() = default;
 
 Session::Impl::~Impl() {
     const Functions& f = device().functions;
-    if (queries) f.vkDestroyQueryPool(device().info.device, queries, device().allocator());
     if (pool) f.vkDestroyDescriptorPool(device().info.device, pool, device().allocator());
 }
 
@@ -129,7 +117,8 @@ Result<Session> Session::create(const Context& context, const SessionDesc& desc)
     }
     if (VkResult vk = makeSets(*impl); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "allocating the frames' descriptor sets failed", vk);
-    if (VkResult vk = makeQueries(*impl); vk != VK_SUCCESS)
+    impl->counted.resize(c.framesInFlight);
+    if (VkResult vk = impl->stopwatch.create(c.device, c.framesInFlight, kMaxTimedPasses); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "creating the query pool failed", vk);
     return Session(std::move(impl));
 }
@@ -151,24 +140,7 @@ Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const S
     return std::span<const PassInfo>(s.plan.passes);
 }
 
-std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {
-    Impl& s = *impl_;
-    s.timings.clear();
-    if (frameSlot >= s.timedPasses.size() || !s.queries || s.timedPasses[frameSlot].empty()) return {};
-    const std::vector<const char*>& passes = s.timedPasses[frameSlot];
-    std::vector<uint64_t> stamps(2 * passes.size());
-    const VkResult vk = s.device().functions.vkGetQueryPoolResults(
-        s.device().info.device, s.queries, frameSlot * 2 * kMaxTimedPasses, uint32_t(stamps.size()),
-        stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
-    if (vk < 0) failure(s.device().sink(), Status::DeviceError, "reading the timestamps of the passes failed", vk);
-    if (vk != VK_SUCCESS) return {};
-    const uint64_t mask = ~uint64_t(0) >> (64 - s.device().timestampBits);
-    for (size_t i = 0; i < passes.size(); ++i) {
-        const double ticks = double((stamps[2 * i + 1] - stamps[2 * i]) & mask);
-        s.timings.push_back({passes[i], ticks * double(s.device().limits.timestampPeriod) * 1e-6});
-    }
-    return s.timings;
-}
+std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept { return impl_->stopwatch.read(frameSlot); }
 
 Counters Session::counters(uint32_t frameSlot) const noexcept {
     if (frameSlot >= impl_->counted.size() || !impl_->counted[frameSlot]) return {};

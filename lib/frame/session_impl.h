@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <device/buffers.h>
+#include <device/stopwatch.h>
 #include <frame/context_impl.h>
 #include <frame/plan.h>
 #include <restir/session.h>
@@ -46,10 +47,8 @@ struct Session::Impl {
     Buffers buffers;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     std::vector<VkDescriptorSet> sets;   // by frame slot
-    VkQueryPool queries = VK_NULL_HANDLE;
-    std::vector<std::vector<const char*>> timedPasses;   // by frame slot
+    Stopwatch stopwatch;
     std::vector<uint8_t> counted;   // by frame slot: its last frame had Settings::counters
-    std::vector<PassTiming> timings;
     History history;
     Plan plan;
 

@@ -1,12 +1,10 @@
 #include <lights/pack.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numbers>
 
 #include <glm/glm.hpp>
-
-#include <lights/alias.h>
 
 namespace restir {
 namespace {
@@ -17,11 +15,6 @@ vec3 toVec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 vec3 minus(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 glm::dvec3 toDouble(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
 double luminance(const float (&c)[3]) { return 0.2126 * double(c[0]) + 0.7152 * double(c[1]) + 0.0722 * double(c[2]); }
-
-double areaOf(const Light& triangle) {
-    const glm::dvec3 p = toDouble(triangle.position);
-    return 0.5 * glm::length(glm::cross(toDouble(triangle.vertex1) - p, toDouble(triangle.vertex2) - p));
-}
 
 bool isFinite(const float (&v)[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
@@ -60,47 +53,23 @@ const char* badField(const Light& light, const LightLimits& limits) {
     return nullptr;
 }
 
-// Radiant power by luminance; directional lights wait for the extent of the others.
-double powerOf(const Light& light) {
-    constexpr double pi = std::numbers::pi;
-    const double shine = luminance(light.emission);
-    switch (light.kind) {
-        case LightKind::Triangle: {
-            const double mean = light.meanLuminance < 0 ? shine : double(light.meanLuminance);
-            return pi * areaOf(light) * mean * (light.twoSided ? 2 : 1);
-        }
-        case LightKind::Point: return 4 * pi * shine;
-        case LightKind::Spot: return 2 * pi * (1 - std::cos(0.5 * (light.innerCone + light.outerCone))) * shine;
-        case LightKind::Directional: return shine;
-    }
-    return 0;
+// By which the light is chosen, times a factor of its kind and shape: restir/lights/power.glsl.
+float meanLuminance(const Light& light) {
+    if (light.kind == LightKind::Triangle && light.meanLuminance >= 0) return light.meanLuminance;
+    return float(luminance(light.emission));
 }
 
-// Area of a disc that holds every finite light, at least that of the unit disc: what a directional light shines on.
-double sceneArea(std::span<const Light> lights) {
-    double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
-    bool any = false;
-    for (const Light& light : lights) {
-        if (light.kind == LightKind::Directional) continue;
-        any = true;
-        for (int i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], double(light.position[i]));
-            high[i] = std::max(high[i], double(light.position[i]));
-        }
-    }
-    if (!any) return std::numbers::pi;
-    double diagonal = 0;
-    for (int i = 0; i < 3; ++i) diagonal += (high[i] - low[i]) * (high[i] - low[i]);
-    return std::numbers::pi * std::max(1.0, 0.25 * diagonal);
+vec3 axisOf(const Light& light) {
+    const glm::dvec3 unit = glm::normalize(toDouble(light.direction));
+    return {float(unit.x), float(unit.y), float(unit.z)};
 }
 
 gpu::RsPackedLight packLight(const Light& light) {
     gpu::RsPackedLight packed{};
     packed.position = toVec3(light.position);
     packed.emission = toVec3(light.emission);
+    packed.selection = meanLuminance(light);
     uint32_t kind = RS_LIGHT_TRIANGLE, texture = RS_LIGHT_NO_TEXTURE;
-    const glm::dvec3 unit = glm::normalize(toDouble(light.direction));
-    const vec3 axis{float(unit.x), float(unit.y), float(unit.z)};
     switch (light.kind) {
         case LightKind::Triangle:
             packed.edge1 = minus(toVec3(light.vertex1), packed.position);
@@ -116,51 +85,52 @@ gpu::RsPackedLight packLight(const Light& light) {
             break;
         case LightKind::Spot: {
             kind = RS_LIGHT_SPOT;
-            packed.edge1 = axis;
+            packed.edge1 = axisOf(light);
             const float scale = 1 / std::max(0.001f, std::cos(light.innerCone) - std::cos(light.outerCone));
             packed.edge2 = {scale, -std::cos(light.outerCone) * scale, light.range};
             break;
         }
         case LightKind::Directional:
             kind = RS_LIGHT_DIRECTIONAL;
-            packed.edge1 = axis;
+            packed.edge1 = axisOf(light);
             break;
     }
     packed.kindAndTexture = kind | (light.twoSided ? RS_LIGHT_TWO_SIDED : 0) | texture << RS_LIGHT_TEXTURE_SHIFT;
     return packed;
 }
 
-Status check(const MessageSink& sink, const LightLimits& limits, std::span<const Light> lights, uint32_t& columns) {
-    std::vector<bool> seen(limits.lights);
-    columns = 0;
-    for (size_t i = 0; i < lights.size(); ++i) {
-        if (const char* field = badField(lights[i], limits))
-            return refuse(sink, "restir: light %zu (id %u): bad %s", i, lights[i].id, field);
-        if (seen[lights[i].id])
-            return refuse(sink, "restir: light %zu: id %u names another light already", i, lights[i].id);
-        seen[lights[i].id] = true;
-        columns = std::max(columns, lights[i].id + 1);
-    }
-    return Status::Ok;
+// Bits that are not set below `end`.
+template <class Visit>
+void forEachGap(std::span<const uint64_t> bits, uint32_t end, const Visit& visit) {
+    for (uint32_t word = 0; word * 64 < end; ++word)
+        for (uint64_t gaps = ~bits[word]; gaps != 0; gaps &= gaps - 1) {
+            const uint32_t i = word * 64 + uint32_t(std::countr_zero(gaps));
+            if (i >= end) return;
+            visit(i);
+        }
 }
 
 }   // namespace
 
-Status packLights(const MessageSink& sink, const LightLimits& limits, std::span<const Light> lights, PackedLights& packed) {
-    uint32_t columns = 0;
-    if (Status s = check(sink, limits, lights, columns); s != Status::Ok) return s;
-    const double area = sceneArea(lights);
-    packed.lights.assign(columns, {});
-    packed.textures = 0;
-    std::vector<double> power(columns);
-    for (const Light& light : lights) {
-        packed.lights[light.id] = packLight(light);
-        if (light.texture != RS_NO_TEXTURE) packed.textures = std::max(packed.textures, light.texture + 1);
-        power[light.id] = powerOf(light) * (light.kind == LightKind::Directional ? area : 1);
+Status LightPacker::pack(const MessageSink& sink, std::span<const Light> lights, gpu::RsPackedLight* out,
+                         PackedLights& packed) {
+    std::fill(seen_.begin(), seen_.end(), 0);
+    PackedLights found;
+    for (size_t i = 0; i < lights.size(); ++i) {
+        const Light& light = lights[i];
+        if (const char* field = badField(light, limits_))
+            return refuse(sink, "restir: light %zu (id %u): bad %s", i, light.id, field);
+        const uint64_t bit = uint64_t{1} << light.id % 64;
+        if (seen_[light.id / 64] & bit)
+            return refuse(sink, "restir: light %zu: id %u names another light already", i, light.id);
+        seen_[light.id / 64] |= bit;
+        found.count = std::max(found.count, light.id + 1);
+        if (light.texture != RS_NO_TEXTURE) found.textures = std::max(found.textures, light.texture + 1);
+        found.directional |= light.kind == LightKind::Directional;
+        if (out) out[light.id] = packLight(light);
     }
-    packed.alias = makeAliasTable(power);
-    const std::vector<double> probability = aliasProbabilities(packed.alias);
-    for (size_t i = 0; i < probability.size(); ++i) packed.lights[i].selection = float(probability[i]);
+    if (out && found.count != lights.size()) forEachGap(seen_, found.count, [&](uint32_t id) { out[id] = {}; });
+    packed = found;
     return Status::Ok;
 }
 

@@ -1,4 +1,4 @@
-// A host's lights, checked and packed.
+// A host's lights, checked and packed in one go.
 #pragma once
 
 #include <span>
@@ -10,18 +10,29 @@
 
 namespace restir {
 
-struct PackedLights {
-    std::vector<gpu::RsPackedLight> lights;   // by id; RS_LIGHT_NONE in the gaps
-    std::vector<gpu::RsAliasEntry> alias;     // one column per id; empty if nothing shines
-    uint32_t textures = 0;                    // one more than the largest index
-};
-
 struct LightLimits {
     uint32_t lights = 0;     // ids are below
     uint32_t textures = 0;   // so are texture indices
 };
 
-// Names the light and the field if one is bad, and leaves `packed` alone.
-Status packLights(const MessageSink& sink, const LightLimits& limits, std::span<const Light> lights, PackedLights& packed);
+struct PackedLights {
+    uint32_t count = 0;         // one more than the largest id
+    uint32_t textures = 0;      // one more than the largest texture index
+    bool directional = false;   // there is a light whose power depends on where the others are
+};
+
+class LightPacker {
+public:
+    explicit LightPacker(const LightLimits& limits) : limits_(limits), seen_((size_t{limits.lights} + 63) / 64) {}
+
+    // Writes the lights to `out` by id, RS_LIGHT_NONE into the gaps, and what is said of them to `packed`.
+    // RsPackedLight::selection holds what restir/lights/power.glsl takes for the mean luminance of the emission. Names the
+    // light and the field if one is bad; `packed` is then as before, `out` is not. Only checks if `out` is null.
+    Status pack(const MessageSink& sink, std::span<const Light> lights, gpu::RsPackedLight* out, PackedLights& packed);
+
+private:
+    LightLimits limits_;
+    std::vector<uint64_t> seen_;   // ids, a bit each
+};
 
 }   // namespace restir

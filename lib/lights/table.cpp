@@ -1,38 +1,47 @@
 #include <lights/table_impl.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include <device/barrier.h>
 #include <device/internals.h>
-#include <frame/context_impl.h>
+#include <lights/build.h>
+#include <restir/shared/light_table.h>
 
 namespace restir {
 namespace {
 
-// Buffers of a table: two generations of lights, the alias table of the newer, and staging for each frame slot.
-enum Slot : size_t { kLights0, kLights1, kAlias, kStaging };
-
 constexpr uint32_t kMaxLights = 1u << 20;
+constexpr uint32_t kMaxTimedPasses = 8;
 constexpr VkDeviceSize kLightBytes = sizeof(gpu::RsPackedLight);
 
+// In the order of TableBuffer.
 std::vector<BufferRequest> requestsOf(uint32_t framesInFlight, uint32_t maxLights) {
     const VkDeviceSize lights = std::max<VkDeviceSize>(maxLights, 1) * kLightBytes;
-    const VkDeviceSize alias = std::max<VkDeviceSize>(maxLights, 1) * sizeof(gpu::RsAliasEntry);
-    const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    std::vector<BufferRequest> requests = {{lights, usage, MemoryUse::DeviceOnly, "lights 0"},
-                                           {lights, usage, MemoryUse::DeviceOnly, "lights 1"},
-                                           {alias, usage, MemoryUse::DeviceOnly, "light alias table"}};
+    const VkDeviceSize columns = aliasColumns(maxLights), blocks = aliasBlocks(maxLights);
+    const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const VkBufferUsageFlags filled = storage | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    const MemoryUse device = MemoryUse::DeviceOnly;
+    std::vector<BufferRequest> requests = {{lights, filled, device, "lights 0"},
+                                           {lights, filled, device, "lights 1"},
+                                           {columns * sizeof(gpu::RsAliasEntry), storage, device, "light alias table"},
+                                           {sizeof(gpu::RsTableState), filled, device, "light table state"},
+                                           {columns * sizeof(gpu::uvec2), storage, device, "light excesses"},
+                                           {columns * sizeof(gpu::uvec2), storage, device, "light deficits"},
+                                           {blocks * sizeof(gpu::uvec4), storage, device, "light blocks"}};
     for (uint32_t i = 0; i < framesInFlight; ++i)
-        requests.push_back({lights + alias, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryUse::HostWrite, "light staging"});
+        requests.push_back({lights, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryUse::HostWrite, "light staging"});
     return requests;
+}
+
+LightLimits limitsOf(const Context::Impl& c, const LightTableDesc& desc) noexcept {
+    return {.lights = desc.maxLights, .textures = c.ownsSceneLayout ? c.maxTextures : RS_LIGHT_NO_TEXTURE};
 }
 
 }   // namespace
 
-VkBuffer LightTable::Impl::current() const noexcept { return buffers.buffer(generation % 2 ? kLights1 : kLights0); }
-VkBuffer LightTable::Impl::previous() const noexcept { return buffers.buffer(generation % 2 ? kLights0 : kLights1); }
-VkBuffer LightTable::Impl::alias() const noexcept { return buffers.buffer(kAlias); }
+LightTable::Impl::~Impl() {
+    if (pool) device->functions.vkDestroyDescriptorPool(device->info.device, pool, device->allocator());
+}
 
 LightTable::LightTable(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
 LightTable::LightTable(LightTable&&) noexcept = default;
@@ -45,15 +54,17 @@ Result<LightTable> LightTable::create(const Context& context, const LightTableDe
         refuse(c.device.sink(), "restir: LightTableDesc::maxLights is %u, at most %u", desc.maxLights, kMaxLights);
         return Error{Status::InvalidArgument, VK_SUCCESS, "LightTableDesc::maxLights is too large"};
     }
-    auto impl = std::make_unique<Impl>();
+    auto impl = std::make_unique<Impl>(limitsOf(c, desc));
     impl->context = &c;
     impl->device = &c.device;
     impl->serial = ++c.lightTables;
-    impl->framesInFlight = c.framesInFlight;
-    impl->maxLights = desc.maxLights;
     auto buffers = Buffers::create(c.device, requestsOf(c.framesInFlight, desc.maxLights));
     if (!buffers) return buffers.error();
     impl->buffers = std::move(*buffers);
+    if (VkResult vk = makeBuildSets(*impl); vk != VK_SUCCESS)
+        return failure(c.device.sink(), Status::DeviceError, "allocating the light table's descriptor sets failed", vk);
+    if (VkResult vk = impl->stopwatch.create(c.device, c.framesInFlight, kMaxTimedPasses); vk != VK_SUCCESS)
+        return failure(c.device.sink(), Status::DeviceError, "creating the light table's query pool failed", vk);
     return LightTable(std::move(impl));
 }
 
@@ -64,19 +75,16 @@ VkDeviceSize LightTable::memoryNeeded(const Context& context, const LightTableDe
 
 Status LightTable::upload(uint32_t frameSlot, std::span<const Light> lights) noexcept {
     Impl& t = *impl_;
-    if (frameSlot >= t.framesInFlight)
-        return refuse(t.device->sink(), "restir: LightTable::upload: frameSlot is %u, framesInFlight is %u", frameSlot,
-                      t.framesInFlight);
-    const LightLimits limits{.lights = t.maxLights,
-                             .textures = t.context->ownsSceneLayout ? t.context->maxTextures : RS_LIGHT_NO_TEXTURE};
-    if (Status s = packLights(t.device->sink(), limits, lights, t.packed); s != Status::Ok) return s;
-    auto* staging = t.buffers.mapped<uint8_t>(kStaging + frameSlot);
-    const size_t lightBytes = t.packed.lights.size() * kLightBytes;
-    if (!t.packed.alias.empty()) {
-        std::memcpy(staging, t.packed.lights.data(), lightBytes);
-        std::memcpy(staging + lightBytes, t.packed.alias.data(), t.packed.alias.size() * sizeof(gpu::RsAliasEntry));
-    }
-    t.uploaded = true;
+    const MessageSink& sink = t.device->sink();
+    if (frameSlot >= t.context->framesInFlight)
+        return refuse(sink, "restir: LightTable::upload: frameSlot is %u, framesInFlight is %u", frameSlot,
+                      t.context->framesInFlight);
+    // Bad lights must not overwrite good ones that still wait in this slot.
+    if (t.pending && t.uploadSlot == frameSlot)
+        if (Status s = t.packer.pack(sink, lights, nullptr, t.uploaded); s != Status::Ok) return s;
+    auto* staging = t.buffers.mapped<gpu::RsPackedLight>(t.stagingOf(frameSlot));
+    if (Status s = t.packer.pack(sink, lights, staging, t.uploaded); s != Status::Ok) return s;
+    t.pending = true;
     t.uploadSlot = frameSlot;
     return Status::Ok;
 }
@@ -84,29 +92,32 @@ Status LightTable::upload(uint32_t frameSlot, std::span<const Light> lights) noe
 Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
     Impl& t = *impl_;
     if (!cmd) return refuse(t.device->sink(), "restir: LightTable::record: cmd is null");
-    if (!t.uploaded) return Status::Ok;
+    if (!t.pending) return Status::Ok;
     if (frameSlot != t.uploadSlot)
         return refuse(t.device->sink(), "restir: LightTable::record: frameSlot is %u, the upload went to %u", frameSlot,
                       t.uploadSlot);
-    t.uploaded = false;
+    t.pending = false;
     ++t.generation;
-    t.previousCount = t.count;
-    t.count = uint32_t(t.packed.alias.size());
-    t.textures = t.packed.textures;
+    t.previousCount = t.recorded.count;
+    t.recorded = t.uploaded;
+    t.stopwatch.reset(cmd, frameSlot);
+    if (t.recorded.count == 0) return Status::Ok;
 
     const Functions& f = t.device->functions;
-    const VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, copy = VK_PIPELINE_STAGE_2_COPY_BIT;
-    // Copies wait for the frames that still read these buffers, readers wait for the copies.
-    memoryBarrier(f, cmd, {compute | copy, VK_ACCESS_2_TRANSFER_WRITE_BIT}, {copy, VK_ACCESS_2_TRANSFER_WRITE_BIT});
-    const VkBuffer staging = t.buffers.buffer(kStaging + frameSlot);
-    if (t.count > 0) {
-        const VkBufferCopy lights{.size = t.packed.lights.size() * kLightBytes};
-        f.vkCmdCopyBuffer(cmd, staging, t.current(), 1, &lights);
-        const VkBufferCopy alias{.srcOffset = lights.size, .size = t.packed.alias.size() * sizeof(gpu::RsAliasEntry)};
-        f.vkCmdCopyBuffer(cmd, staging, t.alias(), 1, &alias);
-    }
-    memoryBarrier(f, cmd, {copy, VK_ACCESS_2_TRANSFER_WRITE_BIT}, {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
+    constexpr VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr VkPipelineStageFlags2 transfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    constexpr VkAccessFlags2 wrote = VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    // The copy waits for the last build and the frames that still read these buffers, the build for the copy.
+    memoryBarrier(f, cmd, {compute | transfer, wrote}, {transfer, VK_ACCESS_2_TRANSFER_WRITE_BIT});
+    const VkBufferCopy lights{.size = t.recorded.count * kLightBytes};
+    f.vkCmdCopyBuffer(cmd, t.buffers.buffer(t.stagingOf(frameSlot)), t.current(), 1, &lights);
+    f.vkCmdFillBuffer(cmd, t.buffer(TableBuffer::State), 0, VK_WHOLE_SIZE, 0);
+    memoryBarrier(f, cmd, {compute | transfer, wrote},
+                  {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+    recordBuild(t, cmd, frameSlot);
     return Status::Ok;
 }
+
+std::span<const PassTiming> LightTable::timings(uint32_t frameSlot) noexcept { return impl_->stopwatch.read(frameSlot); }
 
 }   // namespace restir

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
     bench::addBias(app);
     bench::addTable(app);
     bench::addPlot(app);
+    bench::addLights(app);
     try {
         app.parse(argc, argv);   // runs the subcommand
     } catch (const CLI::Success& answer) {

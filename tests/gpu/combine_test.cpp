@@ -3,10 +3,10 @@
 #include <cmath>
 #include <ostream>
 
-#include <lights/pack.h>
 #include <restir/shared/di.h>
 
 #include "combine.spv.h"
+#include "gpu/built_table.h"
 #include "support/closed_form.h"
 #include "support/gpu.h"
 #include "support/statistics.h"
@@ -135,12 +135,10 @@ struct Mode {
 };
 
 // One more id past the last light, so that both frames have as many columns.
-restir::PackedLights pack(std::vector<Light> lights) {
+tests::BuiltTable build(std::vector<Light> lights) {
     Light black = point(kLights - 1, {0, 0, -50}, {0, 0, 0});
     if (lights.back().id != black.id) lights.push_back(black);
-    restir::PackedLights packed;
-    EXPECT_EQ(restir::packLights({}, {.lights = kLights}, lights, packed), restir::Status::Ok);
-    return packed;
+    return tests::build(lights);
 }
 
 struct Estimates {
@@ -166,8 +164,8 @@ Estimates run(const Setting& setting, const Mode& mode, uint32_t seed) {
     for (size_t i = 0; i < kSurfaces; ++i) p.surfaces[i].position = {0, 0, -100};
     for (size_t i = 0; i < setting.surfaces.size(); ++i) p.surfaces[i] = setting.surfaces[i];
     for (size_t i = 0; i < kLights; ++i) p.centres[i] = kCentres[i];
-    const restir::PackedLights now = pack(setting.lights);
-    const restir::PackedLights before = p.previous ? pack(setting.previousLights) : now;
+    const tests::BuiltTable now = build(setting.lights);
+    const tests::BuiltTable before = p.previous ? build(setting.previousLights) : now;
     static const tests::Kernel kernel(k_combine_spv, 6);
     std::vector<glm::vec4> results(kSamples);
     kernel.run(kSamples / 64,

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include <restir/shared/frame.h>
+#include <restir/shared/light_table.h>
 #include <restir/shared/lights.h>
 #include <restir/shared/scene.h>
 
@@ -53,12 +54,15 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
     Pair<RsAliasEntry> alias(fillAlias);
     Pair<RsInstance> instance(fillInstance);
     Pair<RsMaterial> material(fillMaterial);
+    Pair<RsTablePass> tablePass(fillTablePass);
+    Pair<RsTableState> tableState(fillTableState);
     using tests::out;
-    const tests::Kernel kernel(k_layout_spv, 13);
+    const tests::Kernel kernel(k_layout_spv, 15);
     kernel.run(1, {out(reservoir.written), out(di.written), out(view.written), out(frame.written),
                    out(pass.written), out(counters.written), out(ray.written), out(light.written),
                    out(alias.written), out(instance.written), out(material.written),
-                   tests::in(streamed.expected), out(streamed.written)});
+                   tests::in(streamed.expected), out(streamed.written), out(tablePass.written),
+                   out(tableState.written)});
     reservoir.check("RsReservoir");
     di.check("RsDiConstants");
     view.check("RsView");
@@ -70,6 +74,8 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
     alias.check("RsAliasEntry");
     instance.check("RsInstance");
     material.check("RsMaterial");
+    tablePass.check("RsTablePass");
+    tableState.check("RsTableState");
     streamed.check("RsPackedLight from its stream");
 }
 

@@ -30,9 +30,11 @@ struct Result {
 };
 
 RsPackedLight packed(const Light& light) {
+    RsPackedLight packed;
     restir::PackedLights result;
-    EXPECT_EQ(restir::packLights({}, {.lights = 1, .textures = 8}, {&light, 1}, result), restir::Status::Ok);
-    return result.lights[0];
+    restir::LightPacker packer({.lights = 1, .textures = 8});
+    EXPECT_EQ(packer.pack({}, {&light, 1}, &packed, result), restir::Status::Ok);
+    return packed;
 }
 
 std::vector<Result> run(const Light& light, const std::vector<glm::vec3>& receivers, uint32_t samples) {

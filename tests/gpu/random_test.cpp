@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <lights/alias.h>
-
+#include "gpu/built_table.h"
 #include "random.spv.h"
 #include "support/gpu.h"
 #include "support/statistics.h"
@@ -114,18 +113,27 @@ TEST_F(Random, SameSeedSameBits) {
         ASSERT_TRUE(a[i].x == b[i].x && a[i].y == b[i].y && a[i].w == b[i].w);
 }
 
+// As many as a power of two, one more, few, one, and more than a block of the table's.
 TEST_F(Random, LightsAreDrawnByTheirSelection) {
-    std::vector<double> weights;
-    for (int i = 0; i < 37; ++i) weights.push_back(i % 5 == 0 ? 0 : std::pow(1.3, i % 11));
-    const std::vector<RsAliasEntry> table = restir::makeAliasTable(weights);
-    const std::vector<double> selection = restir::aliasProbabilities(table);
-    std::vector<uint64_t> counts(weights.size());
-    for (const uvec4& r : run({1, 11, 0, static_cast<uint32_t>(table.size())}, table))
-        for (uint32_t id : {r.x, r.y, r.z, r.w}) {
-            ASSERT_LT(id, weights.size());
-            ++counts[id];
+    for (uint32_t count : {37u, 64u, 65u, 2u, 1u, 1300u}) {
+        std::vector<restir::Light> lights;
+        for (uint32_t i = 0; i < count; ++i) {
+            restir::Light light{.id = i, .kind = restir::LightKind::Point};
+            for (float& e : light.emission) e = i % 5 == 1 ? 0 : std::pow(1.3f, float(i % 11));
+            lights.push_back(light);
         }
-    EXPECT_LT(std::abs(tests::chiSquareZ(counts, selection, uint64_t{4} * kPixels)), 4.5);
+        const tests::BuiltTable table = tests::build(lights);
+        std::vector<double> selection;
+        for (const auto& light : table.lights) selection.push_back(double(light.selection));
+        std::vector<uint64_t> counts(count);
+        for (const uvec4& r : run({1, 11, 0, count}, table.alias))
+            for (uint32_t id : {r.x, r.y, r.z, r.w}) {
+                ASSERT_LT(id, count);
+                ++counts[id];
+            }
+        if (count == 1) EXPECT_EQ(counts[0], uint64_t{4} * kPixels);
+        else EXPECT_LT(std::abs(tests::chiSquareZ(counts, selection, uint64_t{4} * kPixels)), 4.5) << count;
+    }
 }
 
 }   // namespace

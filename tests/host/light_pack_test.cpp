@@ -27,15 +27,12 @@ protected:
                                            EXPECT_EQ(severity, restir::Severity::Error);
                                            static_cast<LightPack*>(user)->said_ += text;
                                        }};
-        return restir::packLights(sink, {.lights = kMaxLights, .textures = kMaxTextures}, lights, packed_);
+        return packer_.pack(sink, lights, lights_, packed_);
     }
-    const restir::gpu::RsPackedLight& at(uint32_t id) const { return packed_.lights[id]; }
-    double selectionSum() const {
-        double sum = 0;
-        for (const auto& light : packed_.lights) sum += double(light.selection);
-        return sum;
-    }
+    const restir::gpu::RsPackedLight& at(uint32_t id) const { return lights_[id]; }
 
+    restir::LightPacker packer_{{.lights = kMaxLights, .textures = kMaxTextures}};
+    restir::gpu::RsPackedLight lights_[kMaxLights];
     PackedLights packed_;
     std::string said_;
 };
@@ -99,7 +96,6 @@ TEST_F(LightPack, IgnoresFieldsOfOtherKinds) {
     Light bulb = of(LightKind::Point, 1);
     bulb.direction[0] = bulb.innerCone = bulb.uv[0][0] = kNan;
     EXPECT_EQ(pack({sun, bulb}), Status::Ok) << said_;
-    EXPECT_NEAR(selectionSum(), 1, 1e-6);
 }
 
 TEST_F(LightPack, RefusesTwoLightsOfOneId) {
@@ -107,51 +103,46 @@ TEST_F(LightPack, RefusesTwoLightsOfOneId) {
     EXPECT_NE(said_.find("id 5"), std::string::npos) << said_;
 }
 
-TEST_F(LightPack, AnErrorChangesNothing) {
+TEST_F(LightPack, AnErrorChangesNothingOfWhatIsSaid) {
     ASSERT_EQ(pack({triangle(0), triangle(2, 3)}), Status::Ok);
-    const PackedLights before = packed_;
     Light bad = triangle(1);
     bad.emission[0] = kNan;
     ASSERT_EQ(pack({triangle(7), bad}), Status::InvalidArgument);
-    ASSERT_EQ(packed_.lights.size(), before.lights.size());
-    ASSERT_EQ(packed_.alias.size(), before.alias.size());
-    for (size_t i = 0; i < before.lights.size(); ++i)
-        EXPECT_EQ(packed_.lights[i].selection, before.lights[i].selection);
+    EXPECT_EQ(packed_.count, 3u);
+    // Nor does it keep ids from being used.
+    EXPECT_EQ(pack({triangle(7), triangle(1)}), Status::Ok) << said_;
+    EXPECT_EQ(packed_.count, 8u);
+}
+
+TEST_F(LightPack, ChecksWithoutPacking) {
+    ASSERT_EQ(pack({triangle(0)}), Status::Ok);
+    const float was = at(0).edge1.x;
+    const std::vector<Light> good{triangle(0, 9), triangle(5)}, bad{triangle(5), triangle(5)};
+    EXPECT_EQ(packer_.pack({}, good, nullptr, packed_), Status::Ok);
+    EXPECT_EQ(packed_.count, 6u);
+    EXPECT_EQ(packer_.pack({}, bad, nullptr, packed_), Status::InvalidArgument);
+    EXPECT_EQ(at(0).edge1.x, was);
 }
 
 TEST_F(LightPack, GapsInTheIdsHoldNoLight) {
+    for (auto& light : lights_) light.kindAndTexture = RS_LIGHT_POINT;   // of another upload
     ASSERT_EQ(pack({triangle(6), triangle(2)}), Status::Ok);
-    ASSERT_EQ(packed_.lights.size(), 7u);
-    ASSERT_EQ(packed_.alias.size(), 7u);
-    for (uint32_t id : {0u, 1u, 3u, 4u, 5u}) {
-        EXPECT_EQ(at(id).kindAndTexture & RS_LIGHT_KIND_MASK, RS_LIGHT_NONE) << id;
-        EXPECT_EQ(at(id).selection, 0) << id;
+    ASSERT_EQ(packed_.count, 7u);
+    for (uint32_t id = 0; id < kMaxLights; ++id) {
+        const uint32_t expected = id > 6 ? RS_LIGHT_POINT : id == 2 || id == 6 ? RS_LIGHT_TRIANGLE : RS_LIGHT_NONE;
+        EXPECT_EQ(at(id).kindAndTexture & RS_LIGHT_KIND_MASK, expected) << id;
     }
-    EXPECT_NEAR(double(at(2).selection), 0.5, 1e-6);
-    EXPECT_NEAR(double(at(6).selection), 0.5, 1e-6);
+    ASSERT_EQ(pack({triangle(63)}), Status::Ok);
+    EXPECT_EQ(at(6).kindAndTexture, RS_LIGHT_NONE);
+    EXPECT_EQ(at(63).kindAndTexture & RS_LIGHT_KIND_MASK, RS_LIGHT_TRIANGLE);
 }
 
-TEST_F(LightPack, NoLightsAndBlackLights) {
+TEST_F(LightPack, NoLights) {
     ASSERT_EQ(pack({}), Status::Ok);
-    EXPECT_TRUE(packed_.lights.empty());
-    EXPECT_TRUE(packed_.alias.empty());
-    Light black = triangle(3);
-    for (float& e : black.emission) e = 0;
-    ASSERT_EQ(pack({black}), Status::Ok);
-    EXPECT_TRUE(packed_.alias.empty());
-    ASSERT_EQ(pack({black, triangle(1)}), Status::Ok);
-    EXPECT_EQ(at(3).selection, 0);
-    EXPECT_EQ(at(1).selection, 1);
-}
-
-TEST_F(LightPack, DegenerateTrianglesAreNeverDrawn) {
-    Light line = triangle(0);
-    for (int i = 0; i < 3; ++i) line.vertex2[i] = 2 * line.vertex1[i] - line.position[i];
-    Light point = triangle(1, 0);
-    ASSERT_EQ(pack({line, point, triangle(2)}), Status::Ok);
-    EXPECT_EQ(at(0).selection, 0);
-    EXPECT_EQ(at(1).selection, 0);
-    EXPECT_EQ(at(2).selection, 1);
+    EXPECT_EQ(packed_.count, 0u);
+    EXPECT_FALSE(packed_.directional);
+    ASSERT_EQ(pack({triangle(3), of(LightKind::Directional, 1)}), Status::Ok);
+    EXPECT_TRUE(packed_.directional);
 }
 
 // Finite corners whose area is not.
@@ -166,19 +157,18 @@ TEST_F(LightPack, RefusesTrianglesTooLargeForTheShaders) {
     }
 }
 
-TEST_F(LightPack, SelectionFollowsRadiantPower) {
-    Light two = triangle(1);
-    two.twoSided = true;
-    Light textured = triangle(2);
+// By which it is chosen: restir/lights/power.glsl.
+TEST_F(LightPack, MeanLuminance) {
+    Light textured = triangle(0);
     textured.texture = 4;
     textured.meanLuminance = 3;
-    ASSERT_EQ(pack({triangle(0), two, textured, triangle(3, 2), of(LightKind::Point, 4)}), Status::Ok);
-    EXPECT_NEAR(selectionSum(), 1, 1e-6);
-    const double one = double(at(0).selection);
-    EXPECT_NEAR(double(at(1).selection) / one, 2, 1e-5);
-    EXPECT_NEAR(double(at(2).selection) / one, 3, 1e-5);
-    EXPECT_NEAR(double(at(3).selection) / one, 4, 1e-5);
-    EXPECT_NEAR(double(at(4).selection) / one, 4 / 0.5, 1e-5);   // 4 pi I against pi A L
+    Light green = triangle(1), bulb = of(LightKind::Point, 2);
+    green.emission[0] = green.emission[2] = 0;
+    bulb.meanLuminance = 7;   // a triangle's
+    ASSERT_EQ(pack({textured, green, bulb}), Status::Ok);
+    EXPECT_EQ(at(0).selection, 3);
+    EXPECT_FLOAT_EQ(at(1).selection, 0.7152f);
+    EXPECT_FLOAT_EQ(at(2).selection, 1);
 }
 
 TEST_F(LightPack, TriangleFields) {
@@ -231,22 +221,6 @@ TEST_F(LightPack, DirectionalFields) {
     EXPECT_EQ(at(0).kindAndTexture & RS_LIGHT_KIND_MASK, RS_LIGHT_DIRECTIONAL);
     EXPECT_FLOAT_EQ(at(0).edge1.x, 0.70710678f);
     EXPECT_FLOAT_EQ(at(0).edge1.y, 0.70710678f);
-    EXPECT_EQ(at(0).selection, 1);
-}
-
-// `selection` is what drawing does, not what was asked for.
-TEST_F(LightPack, SelectionIsTheTablesOwn) {
-    std::vector<Light> lights;
-    for (uint32_t id = 0; id < 50; ++id) lights.push_back(triangle(id, 0.1f + 0.37f * float(id % 11)));
-    ASSERT_EQ(pack(lights), Status::Ok);
-    std::vector<double> drawn(packed_.alias.size());
-    for (size_t i = 0; i < drawn.size(); ++i) {
-        const double keep = packed_.alias[i].threshold / 4294967296.0;
-        drawn[i] += keep / 50;
-        drawn[packed_.alias[i].alias] += (1 - keep) / 50;
-    }
-    for (uint32_t id = 0; id < 50; ++id) EXPECT_EQ(at(id).selection, float(drawn[id]));
-    EXPECT_NEAR(selectionSum(), 1, 1e-6);
 }
 
 }   // namespace

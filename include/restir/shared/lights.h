@@ -18,7 +18,7 @@ struct RsPackedLight {
     vec2 uv2;
 };
 
-// One column of the alias table (Walker 1977, Vose 1991): 32 random bits below `threshold` keep the column's own light.
+// One column of the alias table: 32 random bits below `threshold` keep the column's own light.
 struct RsAliasEntry {
     uint threshold;
     uint alias;

@@ -1,4 +1,4 @@
-// Drawing a light by power in O(1) (alias method: Walker 1977, Vose 1991).
+// Drawing a light by power in O(1) (alias method: Walker 1977, Vose 1991; restir/lights/alias.glsl builds the table).
 // The includer provides the table and the lights:
 #ifndef RESTIR_LIGHTS_TABLE_GLSL
 #define RESTIR_LIGHTS_TABLE_GLSL
@@ -9,9 +9,10 @@ RsAliasEntry rsLoadAlias(uint column);
 RsPackedLight rsLoadLight(uint id);           // RS_LIGHT_NONE for ids that name nothing this frame
 RsPackedLight rsLoadPreviousLight(uint id);   // as in the last frame
 
-// A light id with probability RsPackedLight::selection. `count` > 0.
+// A light id with probability RsPackedLight::selection, exactly: columns are a power of two, at least 2, and not fewer
+// than `count`, which is > 0.
 uint rsSampleLight(uint count, inout RsRandom random) {
-    uint column = rsNextIndex(random, count);
+    uint column = rsNextBits(random) >> min(31 - findMSB(count - 1u), 31);
     RsAliasEntry entry = rsLoadAlias(column);
     return rsNextBits(random) < entry.threshold ? column : entry.alias;
 }

@@ -2,6 +2,7 @@
 // Writes two of every shared struct, and lights as the passes read them from their stream of uvec4.
 #extension GL_GOOGLE_include_directive : require
 #include "passes/bindings.glsl"
+#include "restir/shared/light_table.h"
 #include "gpu/shaders/include/fill.glsl"
 
 #define RS_OUT(BINDING, TYPE, NAME) \
@@ -19,6 +20,9 @@ RS_OUT(9, RsInstance, instancesOut)
 RS_OUT(10, RsMaterial, materialsOut)
 layout(set = 0, binding = 11, scalar) readonly buffer Stream { uvec4 stream[]; };
 layout(set = 0, binding = 12, scalar) writeonly buffer Streamed { RsPackedLight streamed[2]; };
+
+RS_OUT(13, RsTablePass, tablePassesOut)
+RS_OUT(14, RsTableState, tableStatesOut)
 
 #define RS_FILL(TYPE, FILL, NAME) \
     TYPE NAME##Value;             \
@@ -40,6 +44,8 @@ void main() {
     RS_FILL(RsAliasEntry, fillAlias, aliasOut)
     RS_FILL(RsInstance, fillInstance, instancesOut)
     RS_FILL(RsMaterial, fillMaterial, materialsOut)
+    RS_FILL(RsTablePass, fillTablePass, tablePassesOut)
+    RS_FILL(RsTableState, fillTableState, tableStatesOut)
     uint s = i * RS_LIGHT_STRIDE;
     streamed[i] = rsUnpackLight(stream[s], stream[s + 1u], stream[s + 2u], stream[s + 3u], stream[s + 4u]);
 }

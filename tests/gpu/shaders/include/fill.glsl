@@ -119,6 +119,23 @@ FILL fillAlias(RS_INOUT(RsAliasEntry) s, int b) {
     s.alias = U(b + 1);
 }
 
+FILL fillTablePass(RS_INOUT(RsTablePass) s, int b) {
+    s.lights = U(b);
+    s.columns = U(b + 1);
+    s.blocks = U(b + 2);
+}
+
+FILL fillTableState(RS_INOUT(RsTableState) s, int b) {
+    for (int i = 0; i < 3; ++i) {
+        s.high[i] = U(b + i);
+        s.low[i] = U(b + 3 + i);
+    }
+    s.heaviestPower = U(b + 6);
+    s.heaviest = U(b + 7);
+    s.scale = U2(b + 8);
+    s.surplus = U2(b + 10);
+}
+
 FILL fillInstance(RS_INOUT(RsInstance) s, int b) {
     s.positions = ADDRESS(b);
     s.indices = ADDRESS(b + 2);

@@ -1,0 +1,39 @@
+// What LightTable's own passes share with the host: restir/lights/alias.glsl says what they compute.
+#ifndef RESTIR_SHARED_LIGHT_TABLE_H
+#define RESTIR_SHARED_LIGHT_TABLE_H
+#include "restir/shared/types.h"
+RS_SHARED_BEGIN
+
+// Push constants of every pass.
+struct RsTablePass {
+    uint lights;    // one more than the largest id
+    uint columns;   // of the alias table
+    uint blocks;    // of RS_TABLE_BLOCK columns
+};
+
+// Sums over a whole build. Starts as zeros.
+struct RsTableState {
+    uint high[3];          // the finite lights' bounds: restir/lights/extent.glsl
+    uint low[3];
+    uint heaviestPower;    // the largest power code
+    uint heaviest;         // ~id of the first light that has it
+    uvec2 scale;           // from quantised powers to weights
+    uvec2 surplus;         // the heaviest light's weight beyond a column
+};
+
+RS_SHARED_END
+
+// Set 0 of LightTable's passes.
+#define RS_TABLE_BIND_STATE 0
+#define RS_TABLE_BIND_LIGHTS 1
+#define RS_TABLE_BIND_ALIAS 2
+#define RS_TABLE_BIND_EXCESS 3     // uvec2 a column: power code, then running sum of excesses
+#define RS_TABLE_BIND_DEFICIT 4    // uvec2 a column: running sum of deficits
+#define RS_TABLE_BIND_BLOCKS 5     // uvec4 a block: sums, then what the blocks before it sum up to
+#define RS_TABLE_BIND_COUNT 6
+
+#define RS_TABLE_GROUP 256u
+#define RS_TABLE_ITEMS 4u          // of an invocation
+#define RS_TABLE_BLOCK 1024u       // of a workgroup; 1024 blocks, which one workgroup sums up, are 2^20 columns
+
+#endif

@@ -1,0 +1,19 @@
+// The passes that turn a LightTable's lights into a table to draw them from.
+#pragma once
+
+#include <lights/table_impl.h>
+
+namespace restir {
+
+// Buffers of a build, for lights below `maxLights`; `lights` of either generation come from the table.
+VkDeviceSize aliasColumns(uint32_t lights) noexcept;   // a power of two
+VkDeviceSize aliasBlocks(uint32_t lights) noexcept;
+
+// A set for each generation of lights.
+VkResult makeBuildSets(LightTable::Impl& table) noexcept;
+
+// The lights are there and the state is cleared, both visible to shaders. The table is readable in compute shaders
+// afterwards.
+void recordBuild(LightTable::Impl& table, VkCommandBuffer cmd, uint32_t slot) noexcept;
+
+}   // namespace restir

@@ -14,38 +14,45 @@ using gpu::vec3;
 vec3 toVec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 vec3 minus(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 glm::dvec3 toDouble(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
-double luminance(const float (&c)[3]) { return 0.2126 * double(c[0]) + 0.7152 * double(c[1]) + 0.0722 * double(c[2]); }
+float luminance(const float (&c)[3]) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
 
-bool isFinite(const float (&v)[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+// 0 times infinity is not a number, either.
+bool isFinite(const float (&v)[3]) { return 0 * v[0] + 0 * v[1] + 0 * v[2] == 0; }
 
 // The longest edge whose squares and products stay finite in the shaders.
 constexpr float kLongestEdge = 1e9f;
 
-bool edgeFits(const float (&a)[3], const float (&b)[3]) { return glm::length(toDouble(a) - toDouble(b)) <= double(kLongestEdge); }
+bool edgeFits(const float (&a)[3], const float (&b)[3]) {
+    const float x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    return x * x + y * y + z * z <= kLongestEdge * kLongestEdge;
+}
+
+// The dot product is finite for all floats.
+bool hasDirection(const Light& light) {
+    const glm::dvec3 d = toDouble(light.direction);
+    return isFinite(light.direction) && glm::dot(d, d) > 0;
+}
 
 // Null if the light is good, else the field that is not.
 const char* badField(const Light& light, const LightLimits& limits) {
     if (light.id >= limits.lights) return "id (at least LightTableDesc::maxLights)";
     if (light.kind > LightKind::Directional) return "kind";
-    for (float e : light.emission)
-        if (!std::isfinite(e) || e < 0) return "emission";
+    const auto& emission = light.emission;
+    if (!isFinite(emission) || std::min({emission[0], emission[1], emission[2]}) < 0) return "emission";
     if (light.kind != LightKind::Directional && !isFinite(light.position)) return "position";
     if (light.kind == LightKind::Triangle) {
-        if (!isFinite(light.vertex1)) return "vertex1";
-        if (!isFinite(light.vertex2)) return "vertex2";
-        if (!edgeFits(light.position, light.vertex1)) return "vertex1 (too far from position)";
-        if (!edgeFits(light.position, light.vertex2)) return "vertex2 (too far from position)";
+        if (!edgeFits(light.position, light.vertex1)) return "vertex1 (not finite, or too far from position)";
+        if (!edgeFits(light.position, light.vertex2)) return "vertex2 (not finite, or too far from position)";
         if (!std::isfinite(light.meanLuminance)) return "meanLuminance";
         if (light.texture == RS_NO_TEXTURE && light.meanLuminance == 0 && luminance(light.emission) > 0)
             return "meanLuminance (0, but it emits)";
         if (light.texture != RS_NO_TEXTURE && light.texture >= limits.textures)
             return "texture (at least ContextDesc::maxTextures)";
-        for (const auto& uv : light.uv)
-            if (!std::isfinite(uv[0]) || !std::isfinite(uv[1])) return "uv";
+        const auto& uv = light.uv;
+        if (0 * uv[0][0] + 0 * uv[0][1] + 0 * uv[1][0] + 0 * uv[1][1] + 0 * uv[2][0] + 0 * uv[2][1] != 0) return "uv";
         return nullptr;
     }
-    if (light.kind != LightKind::Point && (!isFinite(light.direction) || !(glm::length(toDouble(light.direction)) > 0)))
-        return "direction";
+    if (light.kind != LightKind::Point && !hasDirection(light)) return "direction";
     if (light.kind != LightKind::Directional && (!std::isfinite(light.range) || light.range < 0)) return "range";
     if (light.kind == LightKind::Spot &&
         !(light.innerCone >= 0 && light.innerCone < light.outerCone && light.outerCone <= 1.5708f))
@@ -56,7 +63,7 @@ const char* badField(const Light& light, const LightLimits& limits) {
 // By which the light is chosen, times a factor of its kind and shape: restir/lights/power.glsl.
 float meanLuminance(const Light& light) {
     if (light.kind == LightKind::Triangle && light.meanLuminance >= 0) return light.meanLuminance;
-    return float(luminance(light.emission));
+    return luminance(light.emission);
 }
 
 vec3 axisOf(const Light& light) {
@@ -86,8 +93,9 @@ gpu::RsPackedLight packLight(const Light& light) {
         case LightKind::Spot: {
             kind = RS_LIGHT_SPOT;
             packed.edge1 = axisOf(light);
-            const float scale = 1 / std::max(0.001f, std::cos(light.innerCone) - std::cos(light.outerCone));
-            packed.edge2 = {scale, -std::cos(light.outerCone) * scale, light.range};
+            const float outer = std::cos(light.outerCone);
+            const float scale = 1 / std::max(0.001f, std::cos(light.innerCone) - outer);
+            packed.edge2 = {scale, -outer * scale, light.range};
             break;
         }
         case LightKind::Directional:

@@ -1,14 +1,17 @@
-// What a host that moves all of its lights in every frame pays for them: time on the CPU beside that of copying the same
-// bytes, time on the GPU, memory.
+// What a host that moves all of its lights in every frame pays for them: time on the CPU beside that of
+// copying the same bytes, time on the GPU, memory.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
+#include "bench/chart.h"
 #include "bench/command.h"
 #include "common/device.h"
 #include "common/mesh_builder.h"
@@ -24,6 +27,7 @@ struct Options {
     std::vector<uint32_t> counts{100, 1000, 10'000, 100'000, 1'000'000};
     std::string kinds = "triangles";
     uint32_t rounds = 20;
+    std::string plot;
 };
 
 void set(float (&to)[3], const glm::vec3& from) { std::copy(&from.x, &from.x + 3, to); }
@@ -71,23 +75,25 @@ struct Times {   // the best of all rounds, milliseconds
     double copy = std::numeric_limits<double>::infinity(), upload = copy, record = copy, gpu = copy;
 };
 
-Times measure(const samples::Device& device, restir::LightTable& table, std::vector<Light>& lights, uint32_t rounds) {
+Times measure(const samples::Device& device, restir::LightTable& table, std::vector<Light>& lights,
+              uint32_t rounds) {
     Times best;
     std::vector<Light> copies(lights.size());
     for (uint32_t round = 0; round < rounds; ++round) {
         const uint32_t slot = round % 2;
         move(lights);
         best.copy = std::min(best.copy, millisecondsOf([&] {
-            std::memcpy(static_cast<void*>(copies.data()), lights.data(), lights.size() * sizeof(Light));
-        }));
+                                 std::memcpy(static_cast<void*>(copies.data()), lights.data(),
+                                             lights.size() * sizeof(Light));
+                             }));
         move(lights);
         best.upload = std::min(best.upload, millisecondsOf([&] {
-            device.check(table.upload(slot, lights), "restir::LightTable::upload");
-        }));
+                                   device.check(table.upload(slot, lights), "restir::LightTable::upload");
+                               }));
         device.submitAndWait([&](VkCommandBuffer cmd) {
             best.record = std::min(best.record, millisecondsOf([&] {
-                device.check(table.record(cmd, slot), "restir::LightTable::record");
-            }));
+                                       device.check(table.record(cmd, slot), "restir::LightTable::record");
+                                   }));
         });
         double gpu = 0;
         for (const restir::PassTiming& pass : table.timings(slot)) gpu += pass.milliseconds;
@@ -96,29 +102,57 @@ Times measure(const samples::Device& device, restir::LightTable& table, std::vec
     return best;
 }
 
+// Best times over the number of lights.
+class Curves {
+public:
+    void add(uint32_t count, const Times& times) {
+        const double values[] = {times.copy, times.upload + times.record, times.gpu};
+        for (size_t i = 0; i < 3; ++i) chart_.lines[i].points.emplace_back(count, values[i]);
+    }
+    void save(const std::string& file) const {
+        std::ofstream stream(file);
+        stream << toSvg(chart_);
+        if (!stream.flush()) throw std::runtime_error("cannot write " + file);
+    }
+
+private:
+    Chart chart_{.title = "Moving all lights in a frame",
+                 .xName = "lights",
+                 .yName = "milliseconds",
+                 .lines = {{.name = "one memcpy of them", .points = {}, .dashed = true},
+                           {.name = "CPU: upload and record", .points = {}},
+                           {.name = "GPU: the table's passes", .points = {}}}};
+};
+
 void run(const Options& options) {
     samples::Device device;
-    restir::ContextDesc desc{.device = device.sdkInfo(), .framesInFlight = 2, .queueFamily = device.queueFamily()};
+    restir::ContextDesc desc{
+        .device = device.sdkInfo(), .framesInFlight = 2, .queueFamily = device.queueFamily()};
     const restir::Context context = device.require(restir::Context::create(desc), "restir::Context");
     std::printf("%s, %zu bytes a light, best of %u\n", options.kinds.c_str(), sizeof(Light), options.rounds);
-    std::printf("%9s %11s %11s %11s %7s %11s %11s\n", "lights", "memcpy ms", "upload ms", "record ms", "ratio", "GPU ms", "MiB");
+    std::printf("%9s %11s %11s %11s %7s %11s %11s\n", "lights", "memcpy ms", "upload ms", "record ms",
+                "ratio", "GPU ms", "MiB");
+    Curves curves;
     for (uint32_t count : options.counts) {
         const restir::LightTableDesc tableDesc{.maxLights = count};
         auto table = device.require(restir::LightTable::create(context, tableDesc), "restir::LightTable");
         std::vector<Light> lights = randomLights(count, options.kinds);
         const Times best = measure(device, table, lights, options.rounds);
-        std::printf("%9u %11.4f %11.4f %11.4f %7.2f %11.3f %11.3f\n", count, best.copy, best.upload, best.record,
-                    (best.upload + best.record) / best.copy, best.gpu,
+        curves.add(count, best);
+        std::printf("%9u %11.4f %11.4f %11.4f %7.2f %11.3f %11.3f\n", count, best.copy, best.upload,
+                    best.record, (best.upload + best.record) / best.copy, best.gpu,
                     double(restir::LightTable::memoryNeeded(context, tableDesc)) / (1 << 20));
     }
+    if (!options.plot.empty()) curves.save(options.plot);
 }
 
 }   // namespace
 
 void addLights(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "lights", "What it costs to move all lights in every frame: CPU time over that of one memcpy of them, GPU time, memory.");
+    CLI::App* command = app.add_subcommand("lights",
+                                           "What it costs to move all lights in every frame: CPU time over "
+                                           "that of one memcpy of them, GPU time, memory.");
     command->add_option("--counts", options->counts, "of lights (100,1000,10000,100000,1000000)")
         ->delimiter(',')
         ->check(CLI::Range(1, 1 << 20))
@@ -126,7 +160,10 @@ void addLights(CLI::App& app) {
     command->add_option("--kinds", options->kinds, "of lights (triangles)")
         ->check(CLI::IsMember({"triangles", "points", "spots", "mixed"}))
         ->type_name("triangles|points|spots|mixed");
-    command->add_option("--rounds", options->rounds, "frames of each count (20)")->check(CLI::Range(2, 10000))->type_name("N");
+    command->add_option("--rounds", options->rounds, "frames of each count (20)")
+        ->check(CLI::Range(2, 10000))
+        ->type_name("N");
+    command->add_option("--plot", options->plot, "draws the times over the counts")->type_name("FILE.svg");
     command->callback([options] { run(*options); });
 }
 

@@ -24,11 +24,12 @@ std::map<std::string, std::unique_ptr<Buffer>> buffers;
 
 VkResult acquire(void*, const restir::BufferRequest& request, restir::BufferGrant& grant) {
     using samples::MemoryKind;
-    const MemoryKind kind = request.use == restir::MemoryUse::DeviceOnly ? MemoryKind::Gpu : MemoryKind::Upload;
+    const MemoryKind kind =
+        request.use == restir::MemoryUse::DeviceOnly ? MemoryKind::Gpu : MemoryKind::Upload;
     auto buffer = std::make_unique<Buffer>(
-        gpu(), samples::BufferDesc{.size = request.size,
-                                   .usage = request.usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                   .memory = kind});
+        gpu(),
+        samples::BufferDesc{
+            .size = request.size, .usage = request.usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, .memory = kind});
     grant = {.buffer = buffer->handle(), .mapped = buffer->mapped()};
     std::string name = request.name;
     while (buffers.contains(name)) name += "+";
@@ -42,7 +43,8 @@ void release(void*, const restir::BufferGrant& grant) {
 
 restir::Context& context() {
     static restir::Context context = [] {
-        restir::ContextDesc desc{.device = gpu().sdkInfo(), .framesInFlight = kSlots, .queueFamily = gpu().queueFamily()};
+        restir::ContextDesc desc{
+            .device = gpu().sdkInfo(), .framesInFlight = kSlots, .queueFamily = gpu().queueFamily()};
         desc.device.memory = {.acquire = acquire, .release = release};
         return gpu().require(restir::Context::create(desc), "Context");
     }();
@@ -54,11 +56,12 @@ std::vector<T> read(const std::string& name, size_t count) {
     std::vector<T> values(count);
     const VkDeviceSize bytes = count * sizeof(T);
     if (bytes == 0) return values;
-    const Buffer readback(gpu(), {.size = bytes,
-                                  .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                  .memory = samples::MemoryKind::Readback});
+    const Buffer readback(
+        gpu(),
+        {.size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT, .memory = samples::MemoryKind::Readback});
     gpu().submitAndWait([&](VkCommandBuffer cmd) {
-        samples::memoryBarrier(cmd, {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+        samples::memoryBarrier(cmd,
+                               {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
                                {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT});
         const VkBufferCopy all{.size = bytes};
         vkCmdCopyBuffer(cmd, buffers.at(name)->handle(), readback.handle(), 1, &all);
@@ -74,16 +77,17 @@ std::vector<T> read(const std::string& name, size_t count) {
 BuiltTable build(std::span<const restir::Light> lights, uint32_t maxLights, uint32_t times) {
     uint32_t count = 0;
     for (const restir::Light& light : lights) count = std::max(count, light.id + 1);
-    auto table = gpu().require(restir::LightTable::create(context(), {.maxLights = std::max(maxLights, count)}),
-                               "LightTable");
+    auto table = gpu().require(
+        restir::LightTable::create(context(), {.maxLights = std::max(maxLights, count)}), "LightTable");
     gpu().submitAndWait([&](VkCommandBuffer cmd) {
         for (uint32_t i = 0; i < times; ++i) {
             gpu().check(table.upload(i % kSlots, lights), "LightTable::upload");
             gpu().check(table.record(cmd, i % kSlots), "LightTable::record");
         }
     });
-    return {read<restir::gpu::RsPackedLight>(times % 2 ? "lights 1" : "lights 0", count),
-            read<restir::gpu::RsAliasEntry>("light alias table", count ? std::bit_ceil(std::max(count, 2u)) : 0)};
+    return {
+        read<restir::gpu::RsPackedLight>(times % 2 ? "lights 1" : "lights 0", count),
+        read<restir::gpu::RsAliasEntry>("light alias table", count ? std::bit_ceil(std::max(count, 2u)) : 0)};
 }
 
 }   // namespace tests

@@ -1,5 +1,5 @@
-// The table that LightTable builds on the device: it draws each light exactly as often as the light says, that is by its
-// power, and its bits depend on the lights alone.
+// The table that LightTable builds on the device: it draws each light exactly as often as the light says,
+// that is by its power, and its bits depend on the lights alone.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -77,7 +77,8 @@ void expectPowers(const BuiltTable& table, const Weights& powers) {
     const double total = std::accumulate(powers.begin(), powers.end(), 0.0);
     for (size_t i = 0; i < powers.size(); ++i) {
         const double wanted = powers[i] / total;
-        ASSERT_NEAR(double(table.lights[i].selection), wanted, 2 * kPowerError * wanted + kShareError) << "light " << i;
+        ASSERT_NEAR(double(table.lights[i].selection), wanted, 2 * kPowerError * wanted + kShareError)
+            << "light " << i;
         ASSERT_EQ(table.lights[i].selection > 0, powers[i] > 0) << "light " << i;
     }
 }
@@ -92,15 +93,23 @@ Weights wild(size_t count, uint32_t seed, double exponent, uint32_t blackEvery) 
 }
 
 TEST_F(LightTables, FewLights) {
-    for (const Weights& powers : {Weights{5}, {1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1, 1}, {1, 2, 3, 4, 5}, {3, 0}, {0, 0, 1, 0, 2, 0},
-                                  {0.1, 1e-3, 7, 1e4, 1e-7, 12}, {0, 0, 0, 1e-30}})
+    for (const Weights& powers : {Weights{5},
+                                  {1, 1},
+                                  {1, 1, 1, 1},
+                                  {1, 1, 1, 1, 1},
+                                  {1, 2, 3, 4, 5},
+                                  {3, 0},
+                                  {0, 0, 1, 0, 2, 0},
+                                  {0.1, 1e-3, 7, 1e4, 1e-7, 12},
+                                  {0, 0, 0, 1e-30}})
         expectPowers(tests::build(points(powers)), powers);
 }
 
 // Blocks have 1024 columns; 2^20 columns are 1024 of them.
 TEST_F(LightTables, AnyNumberOfLights) {
     for (size_t count : {3u, 63u, 255u, 256u, 257u, 1023u, 1024u, 1025u, 2048u, 2049u, 5000u, 65537u})
-        expectPowers(tests::build(points(wild(count, uint32_t(count), 3, 7))), wild(count, uint32_t(count), 3, 7));
+        expectPowers(tests::build(points(wild(count, uint32_t(count), 3, 7))),
+                     wild(count, uint32_t(count), 3, 7));
 }
 
 // Every column is as full as the next: what rounding takes off goes around.
@@ -118,7 +127,8 @@ TEST_F(LightTables, HeavyOnesFirstLastAndBetween) {
     two.front() = two.back() = 1e6;
     Weights last(single.rbegin(), single.rend()), middle = Weights(3000, 1e-3);
     middle[1500] = 1e6;
-    for (const Weights& powers : {rising, falling, single, two, last, middle}) expectPowers(tests::build(points(powers)), powers);
+    for (const Weights& powers : {rising, falling, single, two, last, middle})
+        expectPowers(tests::build(points(powers)), powers);
 }
 
 TEST_F(LightTables, TinyBesideHuge) {
@@ -151,7 +161,8 @@ TEST_F(LightTables, TinyAndHugeTriangles) {
     expectExact(table);
     EXPECT_NEAR(double(table.lights[0].selection), 0.5, 1e-6);
     EXPECT_GT(table.lights[1].selection, 0);
-    const BuiltTable tiny = tests::build(std::vector{triangle(0, 2e-15f, 1e-30f), triangle(1, 1e-15f, 4e-30f)});
+    const BuiltTable tiny =
+        tests::build(std::vector{triangle(0, 2e-15f, 1e-30f), triangle(1, 1e-15f, 4e-30f)});
     EXPECT_NEAR(double(tiny.lights[0].selection), 0.5, 1e-6);
 }
 
@@ -189,15 +200,20 @@ TEST_F(LightTables, SameLightsSameBits) {
     std::vector<Light> reordered(lights.rbegin(), lights.rend());
     for (uint32_t i = 0; i < 3; ++i) {
         const BuiltTable again = tests::build(i == 0 ? reordered : lights);
-        ASSERT_EQ(std::memcmp(first.alias.data(), again.alias.data(), first.alias.size() * sizeof first.alias[0]), 0);
-        ASSERT_EQ(std::memcmp(first.lights.data(), again.lights.data(), first.lights.size() * sizeof first.lights[0]), 0);
+        ASSERT_EQ(
+            std::memcmp(first.alias.data(), again.alias.data(), first.alias.size() * sizeof first.alias[0]),
+            0);
+        ASSERT_EQ(std::memcmp(first.lights.data(), again.lights.data(),
+                              first.lights.size() * sizeof first.lights[0]),
+                  0);
     }
 }
 
 // Radiant power by luminance.
 TEST_F(LightTables, SelectionFollowsRadiantPower) {
     const auto triangle = [](uint32_t id, float size) {
-        return Light{.id = id, .position = {1, 2, 3}, .vertex1 = {1 + size, 2, 3}, .vertex2 = {1, 2 + size, 3}};
+        return Light{
+            .id = id, .position = {1, 2, 3}, .vertex1 = {1 + size, 2, 3}, .vertex2 = {1, 2 + size, 3}};
     };
     Light twoSided = triangle(1, 1), textured = triangle(2, 1), coloured = triangle(7, 1);
     twoSided.twoSided = true;
@@ -208,8 +224,8 @@ TEST_F(LightTables, SelectionFollowsRadiantPower) {
     Light spot{.id = 5, .kind = LightKind::Spot, .innerCone = 0.3f, .outerCone = 0.9f};
     Light sun{.id = 6, .kind = LightKind::Directional};
     const Light bulb{.id = 4, .kind = LightKind::Point, .position = {0, 20, 3}};
-    const BuiltTable table =
-        tests::build(std::vector{triangle(0, 1), twoSided, textured, triangle(3, 2), bulb, spot, sun, coloured});
+    const BuiltTable table = tests::build(
+        std::vector{triangle(0, 1), twoSided, textured, triangle(3, 2), bulb, spot, sun, coloured});
     expectExact(table);
     const double one = double(table.lights[0].selection) / (0.5 * kPi);
     const auto power = [&](uint32_t id) { return double(table.lights[id].selection) / one; };
@@ -237,20 +253,23 @@ TEST_F(LightTables, DirectionalLightsAlone) {
     EXPECT_GT(tests::build(std::vector{sun, bulb, far}).lights[3].selection, 0);
 }
 
-// The driver reads its number of threads and the width of its vectors once, so each build is a process of its own.
+// The driver reads its number of threads and the width of its vectors once, so each build is a process of its
+// own.
 TEST_F(LightTables, DISABLED_PrintsItsBits) {
     const BuiltTable table = tests::build(points(wild(20000, 9, 6, 11)));
     std::ofstream file(std::getenv("RESTIR_TABLE_BITS"), std::ios::binary);
-    file.write(reinterpret_cast<const char*>(table.alias.data()), std::streamsize(table.alias.size() * sizeof table.alias[0]));
+    file.write(reinterpret_cast<const char*>(table.alias.data()),
+               std::streamsize(table.alias.size() * sizeof table.alias[0]));
     file.write(reinterpret_cast<const char*>(table.lights.data()),
                std::streamsize(table.lights.size() * sizeof table.lights[0]));
 }
 
 std::string bitsIn(const std::string& environment) {
     const std::string file = testing::TempDir() + "restir_table_" + std::to_string(std::random_device{}());
-    const std::string command = environment + " RESTIR_TABLE_BITS='" + file + "' '" + testing::internal::GetArgvs()[0] +
-                                "' --gtest_also_run_disabled_tests --gtest_filter=LightTables.DISABLED_PrintsItsBits "
-                                "--gtest_brief=1 > /dev/null";
+    const std::string command =
+        environment + " RESTIR_TABLE_BITS='" + file + "' '" + testing::internal::GetArgvs()[0] +
+        "' --gtest_also_run_disabled_tests --gtest_filter=LightTables.DISABLED_PrintsItsBits "
+        "--gtest_brief=1 > /dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::ifstream stream(file, std::ios::binary);
     std::string bits{std::istreambuf_iterator<char>(stream), {}};

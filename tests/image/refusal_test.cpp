@@ -162,6 +162,29 @@ TEST_F(Refusal, Lights) {
     EXPECT_GT(largest(host->frames(0, 1, unbiased())), 0);
 }
 
+// Neither lights that were recorded nor, in the same slot, lights that wait to be.
+TEST_F(Refusal, BadLightsLeaveGoodOnesAlone) {
+    const auto pointAt = [](float x) {
+        return restir::Light{.id = 0, .kind = restir::LightKind::Point, .position = {x, 1, 0}};
+    };
+    const restir::Light good = pointAt(0);
+    restir::Light bad = pointAt(0);
+    bad.id = 1;
+    bad.emission[1] = kNan;
+    host->upload(std::vector{good});
+    const samples::FloatImage expected = host->frames(0, 1, unbiased());
+    host->newSession();
+    expectRefusal(host->lights().upload(0, std::vector{pointAt(0.5f), bad}), "light 1 (id 1)");
+    EXPECT_EQ(host->frames(0, 1, unbiased()).rgb, expected.rgb);
+    host->upload(std::vector{pointAt(0.7f)});
+    EXPECT_EQ(host->lights().upload(0, std::vector{good}), Status::Ok);
+    expectRefusal(host->lights().upload(0, std::vector{pointAt(0.5f), bad}), "light 1 (id 1)");
+    device().submitAndWait(
+        [&](VkCommandBuffer cmd) { EXPECT_EQ(host->lights().record(cmd, 0), Status::Ok); });
+    host->newSession();
+    EXPECT_EQ(host->frames(0, 1, unbiased()).rgb, expected.rgb);
+}
+
 TEST_F(Refusal, Sessions) {
     for (VkExtent2D extent : {VkExtent2D{0, 1}, VkExtent2D{1, 0}, VkExtent2D{1u << 20, 1u << 20}}) {
         const auto session = restir::Session::create(host->context(), {.maxExtent = extent});

@@ -170,6 +170,30 @@ TEST_F(SessionTest, TimingsNameThePlannedPasses) {
     EXPECT_TRUE(host->session().timings(HostView::kSlots).empty());   // no such slot
 }
 
+TEST_F(SessionTest, LightTablesNameTheirPasses) {
+    restir::LightTable& lights = host->lights();
+    const auto names = [&](uint32_t slot) {
+        std::vector<std::string> result;
+        for (const restir::PassTiming& timing : lights.timings(slot)) {
+            EXPECT_GE(timing.milliseconds, 0);
+            EXPECT_LT(timing.milliseconds, 60'000);
+            result.emplace_back(timing.name);
+        }
+        return result;
+    };
+    const std::vector<std::string> always{"lights.power",  "lights.sum",  "lights.scale", "lights.reduce",
+                                          "lights.prefix", "lights.scan", "lights.alias"};
+    EXPECT_EQ(names(0), always);
+    EXPECT_TRUE(names(1).empty());                  // nothing recorded there yet
+    EXPECT_TRUE(names(HostView::kSlots).empty());   // no such slot
+    const restir::Light sun{.id = 0, .kind = restir::LightKind::Directional};
+    host->upload(std::span(&sun, 1));
+    ASSERT_EQ(names(0).size(), always.size() + 1);
+    EXPECT_EQ(names(0)[0], "lights.extent");
+    host->upload({});
+    EXPECT_TRUE(names(0).empty());
+}
+
 TEST_F(SessionTest, CountersCountRays) {
     settings.counters = true;
     const uint32_t pixels = kExtent.width * kExtent.height;

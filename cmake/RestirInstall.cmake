@@ -14,3 +14,9 @@ configure_package_config_file(cmake/restirConfig.cmake.in ${PROJECT_BINARY_DIR}/
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/restirConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/restirConfig.cmake ${PROJECT_BINARY_DIR}/restirConfigVersion.cmake
     cmake/RestirShaders.cmake DESTINATION ${package_dir})
+
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH restir_pc_up /${pc_dir} /)
+string(REGEX REPLACE "/$" "" restir_pc_up "${restir_pc_up}")
+configure_file(cmake/restir.pc.in ${PROJECT_BINARY_DIR}/restir.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/restir.pc DESTINATION ${pc_dir})

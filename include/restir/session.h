@@ -103,6 +103,15 @@ public:
     // The passes such a record() would dispatch. Does not advance history. The list lives until the next call.
     Result<std::span<const PassInfo>> plan(const FrameInput& frame, const Settings& settings) noexcept;
 
+    // Instead of record(), for hosts with a render graph: everything of it but the commands, then each pass of the list by
+    // recordPass() once, in any order and between any work of the host's that keeps their uses() apart as they are in the
+    // list. Where a pass reads what an earlier one wrote, or writes what it used, the host puts a barrier from passScope()
+    // to passScope(), and one before the first pass of a frame, behind the view's last frame; HostImages and outputs
+    // take inputScope() and outputScope(), as around record(). Settings::counters needs record().
+    Result<std::span<const PassInfo>> prepare(const FrameInput& frame, const Settings& settings) noexcept;
+    // Pass `index` of the last prepare(). Binds everything itself and records no barrier.
+    [[nodiscard]] Status recordPass(VkCommandBuffer cmd, uint32_t index) noexcept;
+
     // GPU time of the passes last recorded in `frameSlot`; call once the GPU is done with them. Empty where the
     // queue has no timestamps. The list lives until the next call.
     std::span<const PassTiming> timings(uint32_t frameSlot) noexcept;
@@ -114,6 +123,7 @@ public:
 
     static Scope inputScope() noexcept;
     static Scope outputScope() noexcept;
+    static Scope passScope() noexcept;   // what passes do to the SDK's own buffers
 
     struct Impl;
 

@@ -18,13 +18,13 @@ VkResult Stopwatch::create(const Device& device, uint32_t slots, uint32_t passes
     return orNull(device.functions.vkCreateQueryPool(device.info.device, &info, device.allocator(), &queries_), queries_);
 }
 
-void Stopwatch::reset(VkCommandBuffer cmd, uint32_t slot) noexcept {
-    names_[slot].clear();
-    if (queries_) device_->functions.vkCmdResetQueryPool(cmd, queries_, slot * 2 * passes_, 2 * passes_);
-}
+void Stopwatch::reset(uint32_t slot) noexcept { names_[slot].clear(); }
 
 void Stopwatch::start(VkCommandBuffer cmd, uint32_t slot, const char* name) noexcept {
+    const auto number = uint32_t(names_[slot].size());
     names_[slot].push_back(name);
+    // Its own only: passes of a frame may be in several command buffers.
+    if (queries_) device_->functions.vkCmdResetQueryPool(cmd, queries_, 2 * (slot * passes_ + number), 2);
     stamp(cmd, slot, 0);
 }
 

@@ -18,7 +18,7 @@ public:
     // For at most `passes` in each slot. Does nothing on a queue without timestamps. `device` outlives this.
     VkResult create(const Device& device, uint32_t slots, uint32_t passes) noexcept;
 
-    void reset(VkCommandBuffer cmd, uint32_t slot) noexcept;
+    void reset(uint32_t slot) noexcept;   // of the passes that follow
     // Around a pass; `name` is static text.
     void start(VkCommandBuffer cmd, uint32_t slot, const char* name) noexcept;
     void stop(VkCommandBuffer cmd, uint32_t slot) noexcept;

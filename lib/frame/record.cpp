@@ -21,8 +21,8 @@ constexpr VkAccessFlags2 kShaderAccess = kShaderWrite | VK_ACCESS_2_SHADER_STORA
 // Records one frame's passes; only lives during record().
 class Recorder {
 public:
-    Recorder(Session::Impl& session, VkCommandBuffer cmd, uint32_t slot) noexcept
-        : s_(session), f_(session.device().functions), cmd_(cmd), slot_(slot) {}
+    Recorder(Session::Impl& session, VkCommandBuffer cmd) noexcept
+        : s_(session), f_(session.device().functions), cmd_(cmd), slot_(session.preparedSlot) {}
 
     void barrier(VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to, VkAccessFlags2 access) noexcept {
         memoryBarrier(f_, cmd_, {from, wrote}, {to, access});
@@ -40,17 +40,21 @@ public:
         barrier(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
     }
 
-    void bind(VkDescriptorSet scene) noexcept {
-        const VkDescriptorSet sets[] = {s_.sets[slot_], scene};
+    void bind() noexcept {
+        const VkDescriptorSet sets[] = {s_.sets[slot_], s_.preparedScene};
         f_.vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineLayout, 0, 2, sets, 0, nullptr);
     }
 
-    void pass(const PassInfo& pass) noexcept {
+    // The barrier that the passes since the last one ask for.
+    void separate(const PassInfo& pass) noexcept {
         if (hazards_.conflicts(pass)) {
             barrier(kCompute, kShaderWrite, kCompute, kShaderAccess);
             hazards_ = {};
         }
         hazards_.add(pass);
+    }
+
+    void pass(const PassInfo& pass) noexcept {
         const Label label(f_, cmd_, pass.name);
         s_.stopwatch.start(cmd_, slot_, pass.name);
         f_.vkCmdBindPipeline(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineOf(pass.name));
@@ -68,25 +72,24 @@ private:
     Hazards hazards_;
 };
 
-void recordPasses(Session::Impl& s, VkCommandBuffer cmd, const FrameInput& frame, bool counters) noexcept {
-    Recorder recorder(s, cmd, frame.frameSlot);
+void recordPasses(Session::Impl& s, VkCommandBuffer cmd, bool counters) noexcept {
+    Recorder recorder(s, cmd);
     const Label label(s.device().functions, cmd, "restir");
     // The history of this view, the last readers of what is rewritten now, and the last use of the counters.
     recorder.barrier(kCompute | kTransfer, kShaderWrite | VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute | kTransfer,
                      kShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT);
-    s.stopwatch.reset(cmd, frame.frameSlot);
     if (counters) recorder.clearCounters();
-    recorder.bind(s.context->ownsSceneLayout ? Internals::of(*frame.scene).set : frame.bridgeSet);
-    for (const PassInfo& pass : s.plan.passes) recorder.pass(pass);
+    recorder.bind();
+    for (const PassInfo& pass : s.plan.passes) {
+        recorder.separate(pass);
+        recorder.pass(pass);
+    }
     if (counters) recorder.readCounters();
 }
 
-}   // namespace
-
-Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Settings& settings) noexcept {
-    Impl& s = *impl_;
-    if (!cmd) return refuse(s.device().sink(), "restir: Session::record: cmd is null");
-    if (auto planned = plan(frame, settings); !planned) return planned.error().status;
+// All of a frame but its commands: plan, constants, descriptors, and the history that it leaves.
+Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+    if (auto planned = session.plan(frame, settings); !planned) return planned.error().status;
     const LightTable::Impl& lights = Internals::of(*frame.lights);
     const bool history = historyUsable(s, frame, settings);
     const uint32_t surfaces = 1 - s.history.surfaces;
@@ -95,8 +98,10 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
     std::memcpy(s.buffers.mapped<uint8_t>(s.constantsOf(frame.frameSlot)), &constants, sizeof constants);
     const bool sameLights = !history || lights.generation == s.history.lightGeneration;
     writeDescriptors(s, frame, surfaces, sameLights ? lights.current() : lights.previous());
-    recordPasses(s, cmd, frame, settings.counters);
-
+    s.preparedSlot = frame.frameSlot;
+    s.preparedScene = s.context->ownsSceneLayout ? Internals::of(*frame.scene).set : frame.bridgeSet;
+    s.preparedDone = 0;
+    s.stopwatch.reset(frame.frameSlot);
     s.counted[frame.frameSlot] = settings.counters;
     s.history = {.valid = settings.di.mode == DirectMode::Restir,
                  .surfaces = surfaces,
@@ -107,6 +112,41 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
                  .lightGeneration = lights.generation,
                  .field = constants.di.field,
                  .visibility = settings.di.visibility};
+    return Status::Ok;
+}
+
+}   // namespace
+
+Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Settings& settings) noexcept {
+    Impl& s = *impl_;
+    if (!cmd) return refuse(s.device().sink(), "restir: Session::record: cmd is null");
+    if (Status status = prepareFrame(*this, s, frame, settings); status != Status::Ok) return status;
+    recordPasses(s, cmd, settings.counters);
+    s.preparedScene = VK_NULL_HANDLE;   // recordPass() is for prepare()
+    return Status::Ok;
+}
+
+Result<std::span<const PassInfo>> Session::prepare(const FrameInput& frame, const Settings& settings) noexcept {
+    Impl& s = *impl_;
+    Status status = Status::Ok;
+    if (settings.counters) status = refuse(s.device().sink(), "restir: Settings::counters needs Session::record");
+    if (status == Status::Ok) status = prepareFrame(*this, s, frame, settings);
+    if (status != Status::Ok) return Error{status, VK_SUCCESS, "FrameInput or Settings is invalid"};
+    return std::span<const PassInfo>(s.plan.passes);
+}
+
+Status Session::recordPass(VkCommandBuffer cmd, uint32_t index) noexcept {
+    Impl& s = *impl_;
+    const MessageSink& sink = s.device().sink();
+    if (!cmd) return refuse(sink, "restir: Session::recordPass: cmd is null");
+    if (!s.preparedScene) return refuse(sink, "restir: Session::recordPass without Session::prepare");
+    if (index >= s.plan.passes.size())
+        return refuse(sink, "restir: Session::recordPass: index is %u, the plan has %zu passes", index, s.plan.passes.size());
+    if (s.preparedDone >> index & 1) return refuse(sink, "restir: Session::recordPass: pass %u is recorded already", index);
+    s.preparedDone |= uint64_t(1) << index;
+    Recorder recorder(s, cmd);
+    recorder.bind();
+    recorder.pass(s.plan.passes[index]);
     return Status::Ok;
 }
 

@@ -132,6 +132,7 @@ Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const S
     Impl& s = *impl_;
     if (Status status = checkFrame(s, frame, settings); status != Status::Ok)
         return Error{status, VK_SUCCESS, "FrameInput or Settings is invalid"};
+    s.preparedScene = VK_NULL_HANDLE;   // its list is gone
     s.plan = makePlan({.extent = frame.extent,
                        .history = historyUsable(s, frame, settings),
                        .historyIn = s.history.reservoirs,
@@ -162,6 +163,11 @@ Scope Session::inputScope() noexcept {
 
 Scope Session::outputScope() noexcept {
     return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+}
+
+Scope Session::passScope() noexcept {
+    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+            VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 }
 
 }   // namespace restir

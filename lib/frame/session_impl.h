@@ -51,6 +51,9 @@ struct Session::Impl {
     std::vector<uint8_t> counted;   // by frame slot: its last frame had Settings::counters
     History history;
     Plan plan;
+    uint32_t preparedSlot = 0;                      // of the frame whose commands are to be recorded
+    VkDescriptorSet preparedScene = VK_NULL_HANDLE;   // null: prepare() has not been called
+    uint64_t preparedDone = 0;                        // bit i: pass i was recorded
 
     const Device& device() const noexcept { return context->device; }
     VkBuffer buffer(SessionBuffer b, uint32_t i = 0) const noexcept { return buffers.buffer(size_t(b) + i); }

@@ -100,7 +100,7 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
     ++t.generation;
     t.previousCount = t.recorded.count;
     t.recorded = t.uploaded;
-    t.stopwatch.reset(cmd, frameSlot);
+    t.stopwatch.reset(frameSlot);
     if (t.recorded.count == 0) return Status::Ok;
 
     const Functions& f = t.device->functions;

@@ -114,6 +114,10 @@ restir::FrameInput HostView::input(uint32_t index) const {
 
 void HostView::record(VkCommandBuffer cmd, restir::Session& session, const restir::FrameInput& input,
                       const restir::Settings& settings) {
+    around(cmd, input, [&] { device().check(session.record(cmd, input, settings), "Session::record"); });
+}
+
+void HostView::around(VkCommandBuffer cmd, const restir::FrameInput& input, const std::function<void()>& passes) {
     const restir::Scope scope = restir::Session::outputScope();
     const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
     const Access before{kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last use was copied
@@ -122,7 +126,7 @@ void HostView::record(VkCommandBuffer cmd, restir::Session& session, const resti
             samples::pipelineBarrier(cmd, {{samples::imageBarrier(targets_[input.frameSlot][t], from, to)}});
     };
     barriers(before, written);
-    device().check(session.record(cmd, input, settings), "Session::record");
+    passes();
     barriers(written, kCopyFrom);
     VkExtent2D& extent = extents_[input.frameSlot];
     extent.width = input.extent.width + uint32_t(input.output.origin.x);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -50,6 +51,8 @@ public:
     }
     void record(VkCommandBuffer cmd, restir::Session& session, const restir::FrameInput& input,
                 const restir::Settings& settings);
+    // What the target needs around passes that someone else records.
+    void around(VkCommandBuffer cmd, const restir::FrameInput& input, const std::function<void()>& passes);
     samples::FloatImage read(uint32_t slot) const;   // once the GPU is done
     std::span<const glm::vec4> read(uint32_t slot, Target target) const;   // HostDesc::allOutputs
 

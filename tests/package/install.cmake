@@ -12,7 +12,7 @@ file(REMOVE_RECURSE ${WORK}/installed ${WORK}/moved)
 run(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${WORK}/installed)
 file(RENAME ${WORK}/installed ${WORK}/moved)
 
-file(GLOB_RECURSE package_files ${WORK}/moved/*.cmake)
+file(GLOB_RECURSE package_files ${WORK}/moved/*.cmake ${WORK}/moved/*.pc)
 foreach(package_file IN LISTS package_files)
     file(READ ${package_file} text)
     string(FIND "${text}" ${WORK} at)

@@ -9,44 +9,81 @@
 
 namespace restir {
 
-enum class LightKind : uint8_t { Triangle, Point, Spot, Directional };
+enum class LightKind : uint8_t {
+    Triangle,
+    Point,
+    Spot,
+    Directional,
+    Sphere,
+    Capsule,       // all within a radius of a segment: a tube with round ends
+    Rectangle,     // or any parallelogram
+    Disk,
+    Environment,   // the sky: an equirectangular map
+};
 
 // One light, in world space. Units as in glTF: what matters is only that all lights agree.
 //
-// With DiSettings::bsdfCandidates rays that hit a light count for part of its share, so every triangle light must be a
-// triangle of the acceleration structure whose RsInstance::firstLight leads to it: the same corners in index order
-// (barycentrics must agree; a mirrored instance needs its index order flipped), black where its material's alpha test
-// fails, and not doubled by a coincident triangle (use twoSided). Lights that rays cannot hit: bsdfCandidates = 0.
+// What rays find. With DiSettings::bsdfCandidates rays that hit a triangle light, or leave the scene towards the
+// environment or a directional light with an extent, count for part of its share. So
+// - every triangle light must be a triangle of the acceleration structure whose RsInstance::firstLight leads to it:
+//   the same corners in index order (barycentrics must agree; a mirrored instance needs its index order flipped), black
+//   where its material's alpha test fails, and not doubled by a coincident triangle (use twoSided). Lights that rays
+//   cannot hit: bsdfCandidates = 0;
+// - spheres, capsules, rectangles and disks are in no acceleration structure: they neither block light nor show in
+//   mirrors, and only being drawn finds them, noisily in what is nearly a mirror. A host that shows a lamp's body puts it
+//   behind or inside the light, or keeps it from rays. They emit outwards: a sphere around a receiver does not light it.
+// A light without area, or behind what it shines on, adds nothing.
 struct Light {
     // Names the light across frames: below LightTableDesc::maxLights, unique in an upload, dense if memory and
     // table time matter. An id may name another light after one upload without it. RsInstance::firstLight
     // counts in ids.
     uint32_t id = 0;
     LightKind kind = LightKind::Triangle;
-    bool twoSided = false;   // triangle: emits from its back, too
+    bool twoSided = false;   // triangle, rectangle, disk: emits from its back, too
 
-    float position[3] = {0, 0, 0};    // triangle: vertex 0
-    float vertex1[3] = {0, 0, 0};     // triangle; counter-clockwise seen from the emitting side
+    // Triangle: vertex 0. Rectangle: a corner. Capsule: one end of its axis. Sphere, disk: the centre.
+    float position[3] = {0, 0, 0};
+    // Triangle: vertices 1 and 2, counter-clockwise seen from the emitting side. Rectangle: the corners next to
+    // `position`, likewise; the fourth is vertex1 + vertex2 - position. Capsule: vertex1 is the other end of its axis.
+    float vertex1[3] = {0, 0, 0};
     float vertex2[3] = {0, 0, 0};
-    float direction[3] = {0, 0, -1};  // spot, directional: where the light travels, any length > 0
+    // Spot, directional: where the light travels. Disk: which way it faces. Any length > 0.
+    float direction[3] = {0, 0, -1};
+    float radius = 0;                 // sphere, disk, capsule: metres, [0, 1e9]
     float range = 0;                  // point, spot: metres, glTF's falloff reaches 0 there; 0: inverse square only
     float innerCone = 0;              // spot: half-angles in radians, 0 <= inner < outer <= pi / 2
     float outerCone = 0.785398163f;
+    // Directional: half the angle it is seen under, radians, [0, pi / 2]; the sun's is 0.00465. Does not change the irradiance.
+    // At most RS_INFINITE_LIGHTS directional lights of some extent and environments at a time.
+    float angularRadius = 0;
+    // Environment: unit quaternion (x, y, z, w) that turns the map's axes into the world's. In the map's, y is up and a
+    // direction d is at u = 0.5 + atan2(d.z, d.x) / (2 pi), v = acos(d.y) / pi, (0, 0) being the map's top left corner.
+    float rotation[4] = {0, 0, 0, 1};
 
-    // Triangle: radiance, W / (sr m^2), times the texture. Point, spot: radiant intensity, W / sr. Directional:
-    // irradiance on a plane facing it, W / m^2. Linear RGB, finite, >= 0.
+    // Triangle, rectangle: radiance, W / (sr m^2), times the texture. Sphere, capsule, disk: radiance. Point, spot:
+    // radiant intensity, W / sr. Directional: irradiance on a plane facing it, W / m^2. Environment: factor on the map, whose
+    // texels are radiance. Linear RGB, finite, >= 0.
     float emission[3] = {1, 1, 1};
 
-    // Textured triangles: index into SceneDesc::textures, coordinates of the vertices, and the mean luminance of
-    // emission x texture over the triangle, by which it is chosen. Negative: the untextured value. A triangle
-    // whose mean is 0 is never chosen by the table, so it must be black.
+    // Index into SceneDesc::textures. Triangle, rectangle: or none; uv are the coordinates of position, vertex1 and vertex2, and
+    // meanLuminance that of emission x texture over the light, by which it is chosen; negative: the untextured value. One
+    // whose mean is 0 is never chosen by the table, so it must be black. Environment: the map, which its sampler must repeat
+    // in u and clamp in v; LightTable::uploadEnvironment says how it is drawn.
     uint32_t texture = RS_NO_TEXTURE;
     float uv[3][2] = {};
     float meanLuminance = -1;
 };
 
+// What the texture of the environment light shows, for the table that it is drawn from: the texture itself, or it reduced by
+// averaging. Where it is black the texture, filtered linearly, must be. It is not kept.
+struct EnvironmentMap {
+    uint32_t width = 0, height = 0;   // texels, at most 32768 each, and LightTableDesc::maxEnvironmentTexels in all
+    std::span<const float> rgb;       // 3 floats a texel, linear, finite, >= 0; rows from the top
+};
+
 struct LightTableDesc {
-    uint32_t maxLights = 0;   // one more than the largest id, at most 2^20; 0 is allowed
+    uint32_t maxLights = 0;              // one more than the largest id, at most 2^20; 0 is allowed
+    uint32_t maxEnvironmentTexels = 0;   // of an EnvironmentMap, 24 bytes each, half on the device; 0: no environment light
 };
 
 // The lights of a scene and the table to draw them from, shared by any number of Sessions. Externally
@@ -64,9 +101,14 @@ public:
     // the slot's staging memory, in one pass; record() must follow. On an error the message sink names the light and the
     // field, and the previous lights stay.
     [[nodiscard]] Status upload(uint32_t frameSlot, std::span<const Light> lights) noexcept;
-    // Records the copy of the last upload and the passes that build the table to draw lights from, by their power; call
-    // after every upload and before Session::record, outside any render pass. Without a new upload it records nothing.
-    // Leaves the compute bind point with the SDK's pipeline and set.
+    // The environment light's map, before the first upload that has such a light, and again when the map changes (then before an
+    // upload, so that its power counts). Rotation and factor may change without. The GPU is done with the last upload of a map.
+    // Builds an alias table over its texels; while it differs from the last frame's, what the last frame's light would have been
+    // is read from the new texture. A map of zeros is a dark sky.
+    [[nodiscard]] Status uploadEnvironment(const EnvironmentMap& map) noexcept;
+    // Records the copy of the last upload, of lights or map, and the passes that build the table to draw lights from, by their
+    // power; call after every upload and before Session::record, outside any render pass. Without a new upload it records
+    // nothing. Leaves the compute bind point with the SDK's pipeline and set.
     [[nodiscard]] Status record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept;
 
     // As Session::timings(), of the last build recorded in `frameSlot`.

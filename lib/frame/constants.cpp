@@ -113,6 +113,9 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.normalEncoding = uint32_t(g.normals);
     c.rayLogCapacity = s.desc.rayLogCapacity;
     c.debugView = uint32_t(settings.debugView);
+    c.environmentExtent = lights.environment.extent();
+    const auto& found = lights.recorded.found;
+    c.infiniteLights = {found[0], found[1], found[2], found[3]};
     c.di = diConstants(settings.di, history, fieldOf(s, frame, settings, history));
     c.di.previousField = history ? s.history.field : 0;
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);

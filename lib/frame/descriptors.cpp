@@ -77,6 +77,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.buffer(RS_BIND_COUNTERS, s.buffer(Counters));
     w.buffer(RS_BIND_RAY_LOG, s.buffer(RayLog));
     w.buffer(RS_BIND_NOTES, s.buffer(Notes));
+    w.buffer(RS_BIND_ENVIRONMENT, lights.environment.buffer());
     const GBuffer& g = frame.gbuffer;
     w.image(RS_BIND_DEPTH, g.depth.view, g.depth.layout);
     w.image(RS_BIND_NORMAL, g.normal.view, g.normal.layout);

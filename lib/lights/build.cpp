@@ -87,7 +87,7 @@ void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot) noexce
         t.stopwatch.stop(cmd, slot);
         memoryBarrier(f, cmd, {kCompute, kWrite}, {kCompute, kRead | kWrite});
     };
-    if (t.recorded.directional) pass("lights.extent", blocks);
+    if (t.recorded.infinite) pass("lights.extent", blocks);
     pass("lights.power", blocks);
     pass("lights.sum", blocks);
     pass("lights.scale", 1);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace restir {
 namespace {
@@ -33,27 +34,56 @@ bool hasDirection(const Light& light) {
     return isFinite(light.direction) && glm::dot(d, d) > 0;
 }
 
+bool isPlanar(LightKind kind) { return kind == LightKind::Triangle || kind == LightKind::Rectangle; }
+bool isRound(LightKind kind) { return kind == LightKind::Sphere || kind == LightKind::Capsule || kind == LightKind::Disk; }
+bool isInfinite(LightKind kind) { return kind == LightKind::Directional || kind == LightKind::Environment; }
+bool usesTexture(const Light& light) {
+    return light.texture != RS_NO_TEXTURE && (isPlanar(light.kind) || light.kind == LightKind::Environment);
+}
+
+const char* badPlanarField(const Light& light, const LightLimits& limits) {
+    if (!edgeFits(light.position, light.vertex1)) return "vertex1 (not finite, or too far from position)";
+    if (!edgeFits(light.position, light.vertex2)) return "vertex2 (not finite, or too far from position)";
+    if (!std::isfinite(light.meanLuminance)) return "meanLuminance";
+    if (light.texture == RS_NO_TEXTURE && light.meanLuminance == 0 && luminance(light.emission) > 0)
+        return "meanLuminance (0, but it emits)";
+    if (light.texture != RS_NO_TEXTURE && light.texture >= limits.textures)
+        return "texture (at least ContextDesc::maxTextures)";
+    const auto& uv = light.uv;
+    if (0 * uv[0][0] + 0 * uv[0][1] + 0 * uv[1][0] + 0 * uv[1][1] + 0 * uv[2][0] + 0 * uv[2][1] != 0) return "uv";
+    return nullptr;
+}
+
+const char* badRoundField(const Light& light) {
+    if (!(light.radius >= 0 && light.radius <= kLongestEdge)) return "radius";
+    if (light.kind == LightKind::Disk && !hasDirection(light)) return "direction";
+    if (light.kind == LightKind::Capsule && !edgeFits(light.position, light.vertex1))
+        return "vertex1 (not finite, or too far from position)";
+    return nullptr;
+}
+
+const char* badEnvironmentField(const Light& light, const LightLimits& limits) {
+    if (limits.environment < 0) return "kind (LightTable::uploadEnvironment comes first)";
+    if (light.texture >= limits.textures) return "texture (an environment needs one, below ContextDesc::maxTextures)";
+    double squared = 0;
+    for (float q : light.rotation) squared += double(q) * double(q);
+    return std::abs(squared - 1) < 1e-3 ? nullptr : "rotation (not a unit quaternion)";
+}
+
 // Null if the light is good, else the field that is not.
 const char* badField(const Light& light, const LightLimits& limits) {
     if (light.id >= limits.lights) return "id (at least LightTableDesc::maxLights)";
-    if (light.kind > LightKind::Directional) return "kind";
+    if (light.kind > LightKind::Environment) return "kind";
     const auto& emission = light.emission;
     if (!isFinite(emission) || std::min({emission[0], emission[1], emission[2]}) < 0) return "emission";
-    if (light.kind != LightKind::Directional && !isFinite(light.position)) return "position";
-    if (light.kind == LightKind::Triangle) {
-        if (!edgeFits(light.position, light.vertex1)) return "vertex1 (not finite, or too far from position)";
-        if (!edgeFits(light.position, light.vertex2)) return "vertex2 (not finite, or too far from position)";
-        if (!std::isfinite(light.meanLuminance)) return "meanLuminance";
-        if (light.texture == RS_NO_TEXTURE && light.meanLuminance == 0 && luminance(light.emission) > 0)
-            return "meanLuminance (0, but it emits)";
-        if (light.texture != RS_NO_TEXTURE && light.texture >= limits.textures)
-            return "texture (at least ContextDesc::maxTextures)";
-        const auto& uv = light.uv;
-        if (0 * uv[0][0] + 0 * uv[0][1] + 0 * uv[1][0] + 0 * uv[1][1] + 0 * uv[2][0] + 0 * uv[2][1] != 0) return "uv";
-        return nullptr;
-    }
+    if (!isInfinite(light.kind) && !isFinite(light.position)) return "position";
+    if (isPlanar(light.kind)) return badPlanarField(light, limits);
+    if (isRound(light.kind)) return badRoundField(light);
+    if (light.kind == LightKind::Environment) return badEnvironmentField(light, limits);
     if (light.kind != LightKind::Point && !hasDirection(light)) return "direction";
-    if (light.kind != LightKind::Directional && (!std::isfinite(light.range) || light.range < 0)) return "range";
+    if (light.kind == LightKind::Directional)
+        return light.angularRadius >= 0 && light.angularRadius <= 1.5708f ? nullptr : "angularRadius";
+    if (!std::isfinite(light.range) || light.range < 0) return "range";
     if (light.kind == LightKind::Spot &&
         !(light.innerCone >= 0 && light.innerCone < light.outerCone && light.outerCone <= 1.5708f))
         return "innerCone / outerCone";
@@ -61,50 +91,79 @@ const char* badField(const Light& light, const LightLimits& limits) {
 }
 
 // By which the light is chosen, times a factor of its kind and shape: restir/lights/power.glsl.
-float meanLuminance(const Light& light) {
-    if (light.kind == LightKind::Triangle && light.meanLuminance >= 0) return light.meanLuminance;
+float meanLuminance(const Light& light, const LightLimits& limits) {
+    if (isPlanar(light.kind) && light.meanLuminance >= 0) return light.meanLuminance;
+    if (light.kind == LightKind::Environment) return float(luminance(light.emission) * limits.environment);
     return luminance(light.emission);
 }
 
-vec3 axisOf(const Light& light) {
-    const glm::dvec3 unit = glm::normalize(toDouble(light.direction));
-    return {float(unit.x), float(unit.y), float(unit.z)};
+vec3 toVec3(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
+vec3 axisOf(const Light& light) { return toVec3(glm::normalize(toDouble(light.direction))); }
+
+void packDisk(const Light& light, gpu::RsPackedLight& packed) {
+    const glm::dvec3 n = glm::normalize(toDouble(light.direction));
+    const glm::dvec3 x = glm::normalize(glm::cross(std::abs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
+    packed.edge1 = toVec3(double(light.radius) * x);
+    packed.edge2 = toVec3(double(light.radius) * glm::cross(n, x));
 }
 
-gpu::RsPackedLight packLight(const Light& light) {
-    gpu::RsPackedLight packed{};
-    packed.position = toVec3(light.position);
-    packed.emission = toVec3(light.emission);
-    packed.selection = meanLuminance(light);
-    uint32_t kind = RS_LIGHT_TRIANGLE, texture = RS_LIGHT_NO_TEXTURE;
+void packEnvironment(const Light& light, gpu::RsPackedLight& packed) {
+    const float* q = light.rotation;
+    const glm::dmat3 axes =
+        glm::mat3_cast(glm::normalize(glm::dquat(double(q[3]), double(q[0]), double(q[1]), double(q[2]))));
+    packed.position = toVec3(axes[0]);
+    packed.edge1 = toVec3(axes[1]);
+    packed.edge2 = toVec3(axes[2]);
+}
+
+// All but position, emission and texture. Returns RS_LIGHT_*.
+uint32_t packShape(const Light& light, gpu::RsPackedLight& packed) {
     switch (light.kind) {
         case LightKind::Triangle:
+        case LightKind::Rectangle:
             packed.edge1 = minus(toVec3(light.vertex1), packed.position);
             packed.edge2 = minus(toVec3(light.vertex2), packed.position);
-            if (light.texture != RS_NO_TEXTURE) texture = light.texture;
             packed.uv0 = {light.uv[0][0], light.uv[0][1]};
             packed.uv1 = {light.uv[1][0], light.uv[1][1]};
             packed.uv2 = {light.uv[2][0], light.uv[2][1]};
-            break;
-        case LightKind::Point:
-            kind = RS_LIGHT_POINT;
-            packed.edge2 = {0, 0, light.range};
-            break;
+            return light.kind == LightKind::Triangle ? RS_LIGHT_TRIANGLE : RS_LIGHT_RECTANGLE;
+        case LightKind::Capsule: packed.edge1 = minus(toVec3(light.vertex1), packed.position); [[fallthrough]];
+        case LightKind::Sphere: packed.edge2 = {light.radius, 0, 0}; return RS_LIGHT_CAPSULE;
+        case LightKind::Disk: packDisk(light, packed); return RS_LIGHT_DISK;
+        case LightKind::Point: packed.edge2 = {0, 0, light.range}; return RS_LIGHT_POINT;
         case LightKind::Spot: {
-            kind = RS_LIGHT_SPOT;
             packed.edge1 = axisOf(light);
             const float outer = std::cos(light.outerCone);
             const float scale = 1 / std::max(0.001f, std::cos(light.innerCone) - outer);
             packed.edge2 = {scale, -outer * scale, light.range};
-            break;
+            return RS_LIGHT_SPOT;
         }
-        case LightKind::Directional:
-            kind = RS_LIGHT_DIRECTIONAL;
+        case LightKind::Directional: {
+            const double half = std::sin(0.5 * double(light.angularRadius));
             packed.edge1 = axisOf(light);
-            break;
+            packed.edge2 = {float(std::min(2 * half * half, 1.0)), 0, 0};
+            return RS_LIGHT_DIRECTIONAL;
+        }
+        case LightKind::Environment: packEnvironment(light, packed); return RS_LIGHT_ENVIRONMENT;
     }
-    packed.kindAndTexture = kind | (light.twoSided ? RS_LIGHT_TWO_SIDED : 0) | texture << RS_LIGHT_TEXTURE_SHIFT;
+    return RS_LIGHT_NONE;
+}
+
+gpu::RsPackedLight packLight(const Light& light, const LightLimits& limits) {
+    gpu::RsPackedLight packed{};
+    packed.position = toVec3(light.position);
+    packed.emission = toVec3(light.emission);
+    packed.selection = meanLuminance(light, limits);
+    const uint32_t kind = packShape(light, packed);
+    const bool sides = light.twoSided && (isPlanar(light.kind) || light.kind == LightKind::Disk);
+    const uint32_t texture = usesTexture(light) ? light.texture : RS_LIGHT_NO_TEXTURE;
+    packed.kindAndTexture = kind | (sides ? RS_LIGHT_TWO_SIDED : 0) | texture << RS_LIGHT_TEXTURE_SHIFT;
     return packed;
+}
+
+// Rays that miss everything find it.
+bool isBehindMisses(const Light& light) {
+    return light.kind == LightKind::Environment || (light.kind == LightKind::Directional && light.angularRadius > 0);
 }
 
 // Bits that are not set below `end`.
@@ -124,6 +183,7 @@ Status LightPacker::pack(const MessageSink& sink, std::span<const Light> lights,
                          PackedLights& packed) {
     std::fill(seen_.begin(), seen_.end(), 0);
     PackedLights found;
+    uint32_t behindMisses = 0;
     for (size_t i = 0; i < lights.size(); ++i) {
         const Light& light = lights[i];
         if (const char* field = badField(light, limits_))
@@ -133,9 +193,15 @@ Status LightPacker::pack(const MessageSink& sink, std::span<const Light> lights,
             return refuse(sink, "restir: light %zu: id %u names another light already", i, light.id);
         seen_[light.id / 64] |= bit;
         found.count = std::max(found.count, light.id + 1);
-        if (light.texture != RS_NO_TEXTURE) found.textures = std::max(found.textures, light.texture + 1);
-        found.directional |= light.kind == LightKind::Directional;
-        if (out) out[light.id] = packLight(light);
+        if (usesTexture(light)) found.textures = std::max(found.textures, light.texture + 1);
+        found.infinite |= isInfinite(light.kind);
+        if (isBehindMisses(light)) {
+            if (behindMisses == RS_INFINITE_LIGHTS)
+                return refuse(sink, "restir: light %zu (id %u): more than %u lights at infinity have an extent", i, light.id,
+                              RS_INFINITE_LIGHTS);
+            found.found[behindMisses++] = light.id;
+        }
+        if (out) out[light.id] = packLight(light, limits_);
     }
     if (out && found.count != lights.size()) forEachGap(seen_, found.count, [&](uint32_t id) { out[id] = {}; });
     packed = found;

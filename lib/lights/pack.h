@@ -7,18 +7,21 @@
 #include <device/messages.h>
 #include <restir/lights.h>
 #include <restir/shared/lights.h>
+#include <restir/shared/scene.h>
 
 namespace restir {
 
 struct LightLimits {
     uint32_t lights = 0;     // ids are below
     uint32_t textures = 0;   // so are texture indices
+    double environment = -1; // luminance of the map, integrated over the sphere; negative: there is none
 };
 
 struct PackedLights {
     uint32_t count = 0;         // one more than the largest id
     uint32_t textures = 0;      // one more than the largest texture index
-    bool directional = false;   // there is a light whose power depends on where the others are
+    bool infinite = false;      // there is a light whose power depends on where the others are
+    uint32_t found[RS_INFINITE_LIGHTS] = {RS_NO_LIGHT, RS_NO_LIGHT, RS_NO_LIGHT, RS_NO_LIGHT};   // RsFrame::infiniteLights
 };
 
 class LightPacker {
@@ -29,6 +32,8 @@ public:
     // RsPackedLight::selection holds what restir/lights/power.glsl takes for the mean luminance of the emission. Names the
     // light and the field if one is bad; `packed` is then as before, `out` is not. Only checks if `out` is null.
     Status pack(const MessageSink& sink, std::span<const Light> lights, gpu::RsPackedLight* out, PackedLights& packed);
+
+    void environmentHas(double luminance) { limits_.environment = luminance; }
 
 private:
     LightLimits limits_;

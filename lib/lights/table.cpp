@@ -61,6 +61,9 @@ Result<LightTable> LightTable::create(const Context& context, const LightTableDe
     auto buffers = Buffers::create(c.device, requestsOf(c.framesInFlight, desc.maxLights));
     if (!buffers) return buffers.error();
     impl->buffers = std::move(*buffers);
+    auto environment = EnvironmentTable::create(c.device, desc.maxEnvironmentTexels);
+    if (!environment) return environment.error();
+    impl->environment = std::move(*environment);
     if (VkResult vk = makeBuildSets(*impl); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "allocating the light table's descriptor sets failed", vk);
     if (VkResult vk = impl->stopwatch.create(c.device, c.framesInFlight, kMaxTimedPasses); vk != VK_SUCCESS)
@@ -70,7 +73,8 @@ Result<LightTable> LightTable::create(const Context& context, const LightTableDe
 
 VkDeviceSize LightTable::memoryNeeded(const Context& context, const LightTableDesc& desc) noexcept {
     const Context::Impl& c = Internals::of(context);
-    return Buffers::memoryNeeded(c.device, requestsOf(c.framesInFlight, desc.maxLights));
+    return Buffers::memoryNeeded(c.device, requestsOf(c.framesInFlight, desc.maxLights)) +
+           EnvironmentTable::memoryNeeded(c.device, desc.maxEnvironmentTexels);
 }
 
 Status LightTable::upload(uint32_t frameSlot, std::span<const Light> lights) noexcept {
@@ -89,13 +93,21 @@ Status LightTable::upload(uint32_t frameSlot, std::span<const Light> lights) noe
     return Status::Ok;
 }
 
+Status LightTable::uploadEnvironment(const EnvironmentMap& map) noexcept {
+    Impl& t = *impl_;
+    if (Status s = t.environment.upload(t.device->sink(), map); s != Status::Ok) return s;
+    t.packer.environmentHas(t.environment.luminance());
+    return Status::Ok;
+}
+
 Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
     Impl& t = *impl_;
     if (!cmd) return refuse(t.device->sink(), "restir: LightTable::record: cmd is null");
-    if (!t.pending) return Status::Ok;
-    if (frameSlot != t.uploadSlot)
+    if (t.pending && frameSlot != t.uploadSlot)
         return refuse(t.device->sink(), "restir: LightTable::record: frameSlot is %u, the upload went to %u", frameSlot,
                       t.uploadSlot);
+    t.environment.record(t.device->functions, cmd);
+    if (!t.pending) return Status::Ok;
     t.pending = false;
     ++t.generation;
     t.previousCount = t.recorded.count;

@@ -3,6 +3,7 @@
 #include <device/buffers.h>
 #include <device/stopwatch.h>
 #include <frame/context_impl.h>
+#include <lights/environment.h>
 #include <lights/pack.h>
 #include <restir/lights.h>
 
@@ -31,6 +32,7 @@ struct LightTable::Impl {
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet sets[2] = {};   // by parity of the generation
     Stopwatch stopwatch;
+    EnvironmentTable environment;
     LightPacker packer;
     PackedLights uploaded;        // in the staging buffer of uploadSlot
     bool pending = false;         // which has not been recorded yet

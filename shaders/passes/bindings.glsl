@@ -26,6 +26,7 @@ layout(set = RS_SET, binding = RS_BIND_TLAS) uniform accelerationStructureEXT rs
 layout(set = RS_SET, binding = RS_BIND_PREVIOUS_TLAS) uniform accelerationStructureEXT rsPreviousTlas;
 layout(set = RS_SET, binding = RS_BIND_COUNTERS, scalar) buffer RsCounterBlock { RsCounters rsCounters; };
 layout(set = RS_SET, binding = RS_BIND_RAY_LOG, scalar) buffer RsRayLog { RsLoggedRay rsRayLog[]; };
+layout(set = RS_SET, binding = RS_BIND_ENVIRONMENT, scalar) readonly buffer RsEnvironmentTable { RsEnvironmentTexel at[]; } rsEnvironment;
 
 #include "restir_bridge.glsl"
 #include "restir/di/direct.glsl"
@@ -85,6 +86,9 @@ RsPackedLight rsLoadPreviousLight(uint id) {
                          rsIsTextured(first.w) ? rsPreviousLights[i + 4u] : uvec4(0u));
 }
 RsAliasEntry rsLoadAlias(uint column) { return rsAlias[column]; }
+uint rsInfiniteLight(uint i) { return rsFrame.infiniteLights[i]; }
+uvec2 rsEnvironmentExtent() { return rsFrame.environmentExtent; }
+RsEnvironmentTexel rsLoadEnvironment(uint index) { return rsEnvironment.at[index]; }
 
 void rsOnRay(vec3 origin, vec3 direction, float tmax, bool closest) {
     if ((rsFrame.flags & RS_FRAME_COUNT) == 0u) return;

@@ -54,15 +54,16 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
     Pair<RsAliasEntry> alias(fillAlias);
     Pair<RsInstance> instance(fillInstance);
     Pair<RsMaterial> material(fillMaterial);
+    Pair<RsEnvironmentTexel> texel(fillTexel);
     Pair<RsTablePass> tablePass(fillTablePass);
     Pair<RsTableState> tableState(fillTableState);
     using tests::out;
-    const tests::Kernel kernel(k_layout_spv, 15);
+    const tests::Kernel kernel(k_layout_spv, 16);
     kernel.run(1, {out(reservoir.written), out(di.written), out(view.written), out(frame.written),
                    out(pass.written), out(counters.written), out(ray.written), out(light.written),
                    out(alias.written), out(instance.written), out(material.written),
                    tests::in(streamed.expected), out(streamed.written), out(tablePass.written),
-                   out(tableState.written)});
+                   out(tableState.written), out(texel.written)});
     reservoir.check("RsReservoir");
     di.check("RsDiConstants");
     view.check("RsView");
@@ -76,6 +77,7 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
     material.check("RsMaterial");
     tablePass.check("RsTablePass");
     tableState.check("RsTableState");
+    texel.check("RsEnvironmentTexel");
     streamed.check("RsPackedLight from its stream");
 }
 
@@ -83,6 +85,7 @@ TEST_F(Layout, SizesThatMemoryBudgetsCountOn) {
     EXPECT_EQ(sizeof(RsReservoir), 16u);
     EXPECT_EQ(sizeof(RsPackedLight), 16u * RS_LIGHT_STRIDE);
     EXPECT_EQ(sizeof(RsAliasEntry), 8u);
+    EXPECT_EQ(sizeof(RsEnvironmentTexel), 12u);
     EXPECT_EQ(sizeof(RsLoggedRay), 32u);
     EXPECT_LE(sizeof(RsPass), 128u);
 }

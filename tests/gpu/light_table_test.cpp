@@ -241,6 +241,32 @@ TEST_F(LightTables, SelectionFollowsRadiantPower) {
     EXPECT_NEAR(power(7), 0.5 * kPi * 4 * 0.7152, 1e-5);
 }
 
+TEST_F(LightTables, SelectionOfRoundAndFlatOnes) {
+    const Light bulb{.id = 0, .kind = LightKind::Point};   // 4 pi
+    Light sphere{.id = 1, .kind = LightKind::Sphere, .radius = 0.5f};
+    Light tube{.id = 2, .kind = LightKind::Capsule, .twoSided = true, .vertex1 = {0, 3, 0}, .radius = 0.5f};
+    Light disk{.id = 3, .kind = LightKind::Disk, .direction = {1, 2, 3}, .radius = 0.5f};
+    Light flat{.id = 4, .kind = LightKind::Rectangle, .twoSided = true, .vertex1 = {2, 0, 0}, .vertex2 = {1, 3, 0}};
+    const BuiltTable table = tests::build(std::vector{bulb, sphere, tube, disk, flat});
+    expectExact(table);
+    const auto power = [&](uint32_t id) { return 4 * kPi * double(table.lights[id].selection) / double(table.lights[0].selection); };
+    EXPECT_NEAR(power(1), kPi * kPi, 1e-4);
+    EXPECT_NEAR(power(2), 4 * kPi * kPi, 1e-4);   // one-sided all the same
+    EXPECT_NEAR(power(3), kPi * kPi / 4, 1e-4);
+    EXPECT_NEAR(power(4), 12 * kPi, 1e-4);
+    // Hair, dust and what has no size.
+    sphere.radius = 1e-15f;
+    tube.radius = 1e-12f;
+    tube.vertex1[1] = 1e9f;
+    disk.radius = 0;
+    for (int i = 0; i < 3; ++i) flat.vertex2[i] = flat.position[i];
+    const BuiltTable thin = tests::build(std::vector{sphere, tube, disk, flat});
+    EXPECT_GT(thin.lights[1].selection, 0);
+    EXPECT_NEAR(double(thin.lights[2].selection), 1, 1e-6);
+    EXPECT_EQ(thin.lights[3].selection, 0);
+    EXPECT_EQ(thin.lights[4].selection, 0);
+}
+
 // A directional light shines on the disc of radius 1, where nothing else says how much there is to shine on.
 TEST_F(LightTables, DirectionalLightsAlone) {
     Light sun{.id = 0, .kind = LightKind::Directional}, moon{.id = 1, .kind = LightKind::Directional};

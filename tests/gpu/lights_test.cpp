@@ -2,9 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include <lights/pack.h>
-
-#include "lights.spv.h"
+#include "light_run.h"
 #include "support/closed_form.h"
 #include "support/gpu.h"
 #include "support/statistics.h"
@@ -13,36 +11,13 @@ namespace {
 
 using restir::Light;
 using restir::LightKind;
-using restir::gpu::RsPackedLight;
 
 constexpr uint32_t kSamples = 1u << 18;
 
-struct Parameters {   // as in lights.glsl
-    uint32_t seed, receivers;
-    RsPackedLight light;
-};
-struct Result {
-    uint32_t uv;
-    glm::vec3 irradiance, direction;
-    float distance, solidAngle;
-
-    glm::dvec2 at() const { return {(uv & 0xffffu) / 65535.0, (uv >> 16) / 65535.0}; }
-};
-
-RsPackedLight packed(const Light& light) {
-    RsPackedLight packed;
-    restir::PackedLights result;
-    restir::LightPacker packer({.lights = 1, .textures = 8});
-    EXPECT_EQ(packer.pack({}, {&light, 1}, &packed, result), restir::Status::Ok);
-    return packed;
-}
+using Result = tests::LightResult;
 
 std::vector<Result> run(const Light& light, const std::vector<glm::vec3>& receivers, uint32_t samples) {
-    static const tests::Kernel kernel(k_lights_spv, 3);
-    std::vector<Result> results(samples);
-    const std::vector<Parameters> parameters{{5, static_cast<uint32_t>(receivers.size()), packed(light)}};
-    kernel.run(samples / 64, {tests::in(parameters), tests::in(receivers), tests::out(results)});
-    return results;
+    return tests::runLight({.light = light, .receivers = receivers, .samples = samples});
 }
 std::vector<Result> evaluate(const Light& light, std::vector<glm::vec3> receivers) {
     std::vector<Result> results = run(light, receivers, 64);
@@ -68,8 +43,8 @@ TEST_F(Lights, PointsAreUniformOnTheTriangle) {
         for (size_t v = 0; u + v < 8; ++v) probabilities[u * 8 + v] = u + v < 7 ? 1 / 32.0 : 1 / 64.0;
     for (const Result& r : run(kTriangle, {{0, 0, 0}}, kSamples)) {
         ASSERT_LE((r.uv & 0xffffu) + (r.uv >> 16), 0xffffu);
-        ++counts[static_cast<size_t>(std::min(r.at().x * 8, 7.0)) * 8 +
-                 static_cast<size_t>(std::min(r.at().y * 8, 7.0))];
+        ++counts[static_cast<size_t>(std::min(r.barycentrics().x * 8, 7.0)) * 8 +
+                 static_cast<size_t>(std::min(r.barycentrics().y * 8, 7.0))];
     }
     EXPECT_LT(std::abs(tests::chiSquareZ(counts, probabilities, kSamples)), 4.5);
 }
@@ -98,7 +73,7 @@ TEST_F(Lights, ATriangleIntegratesToItsClosedForm) {
 TEST_F(Lights, ATrianglesPointIsWhereItsBarycentricsSay) {
     const glm::dvec3 receiver(0.3, 0.2, 0);
     for (const Result& r : run(kTriangle, {receiver}, 256)) {
-        const glm::dvec2 at = r.at();
+        const glm::dvec2 at = r.barycentrics();
         const glm::dvec3 point =
             kCorners[0] + at.x * (kCorners[1] - kCorners[0]) + at.y * (kCorners[2] - kCorners[0]);
         EXPECT_NEAR(r.distance, glm::length(point - receiver), 1e-5);
@@ -139,7 +114,7 @@ TEST_F(Lights, TexturesTintTheSampledPoint) {
     const std::vector<Result> plain = run(kTriangle, {{0, 0, 0}}, 256),
                               textured = run(light, {{0, 0, 0}}, 256);
     for (size_t i = 0; i < plain.size(); ++i) {
-        const glm::vec3 tint(plain[i].at(), 0.5f);
+        const glm::vec3 tint(plain[i].barycentrics(), 0.5f);
         EXPECT_LT(glm::distance(textured[i].irradiance, plain[i].irradiance * tint),
                   1e-5f * glm::length(plain[i].irradiance));
     }

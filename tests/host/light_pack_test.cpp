@@ -31,7 +31,7 @@ protected:
     }
     const restir::gpu::RsPackedLight& at(uint32_t id) const { return lights_[id]; }
 
-    restir::LightPacker packer_{{.lights = kMaxLights, .textures = kMaxTextures}};
+    restir::LightPacker packer_{{.lights = kMaxLights, .textures = kMaxTextures, .environment = 12}};
     restir::gpu::RsPackedLight lights_[kMaxLights];
     PackedLights packed_;
     std::string said_;
@@ -40,7 +40,11 @@ protected:
 Light triangle(uint32_t id, float size = 1) {
     return {.id = id, .position = {1, 2, 3}, .vertex1 = {1 + size, 2, 3}, .vertex2 = {1, 2 + size, 3}};
 }
-Light of(LightKind kind, uint32_t id) { return {.id = id, .kind = kind}; }
+Light of(LightKind kind, uint32_t id) {
+    Light light{.id = id, .kind = kind};
+    if (kind == LightKind::Environment) light.texture = 0;
+    return light;
+}
 
 struct BadLight {
     const char* field;   // what the message must name
@@ -75,6 +79,20 @@ std::vector<BadLight> badLights() {
         {"innerCone", K::Spot, [](Light& l) { l.innerCone = kNan; }},
         {"outerCone", K::Spot, [](Light& l) { l.outerCone = 1.6f; }},
         {"outerCone", K::Spot, [](Light& l) { l.outerCone = kNan; }},
+        {"angularRadius", K::Directional, [](Light& l) { l.angularRadius = -0.1f; }},
+        {"angularRadius", K::Directional, [](Light& l) { l.angularRadius = 1.6f; }},
+        {"radius", K::Sphere, [](Light& l) { l.radius = -1; }},
+        {"radius", K::Capsule, [](Light& l) { l.radius = kNan; }},
+        {"radius", K::Disk, [](Light& l) { l.radius = kInfinity; }},
+        {"position", K::Sphere, [](Light& l) { l.position[1] = kNan; }},
+        {"vertex1", K::Capsule, [](Light& l) { l.vertex1[2] = kInfinity; }},
+        {"vertex1", K::Capsule, [](Light& l) { l.vertex1[2] = 1e20f; }},
+        {"vertex2", K::Rectangle, [](Light& l) { l.vertex2[0] = kNan; }},
+        {"direction", K::Disk, [](Light& l) { l.direction[2] = 0; }},
+        {"texture", K::Rectangle, [](Light& l) { l.texture = kMaxTextures; }},
+        {"texture", K::Environment, [](Light& l) { l.texture = RS_NO_TEXTURE; }},
+        {"rotation", K::Environment, [](Light& l) { l.rotation[1] = 0.5f; }},
+        {"rotation", K::Environment, [](Light& l) { l.rotation[3] = kNan; }},
     };
 }
 
@@ -94,8 +112,12 @@ TEST_F(LightPack, IgnoresFieldsOfOtherKinds) {
     Light sun = of(LightKind::Directional, 0);
     sun.position[0] = sun.range = sun.vertex1[0] = sun.meanLuminance = kNan;
     Light bulb = of(LightKind::Point, 1);
-    bulb.direction[0] = bulb.innerCone = bulb.uv[0][0] = kNan;
-    EXPECT_EQ(pack({sun, bulb}), Status::Ok) << said_;
+    bulb.direction[0] = bulb.innerCone = bulb.uv[0][0] = bulb.radius = kNan;
+    bulb.texture = kMaxTextures;
+    Light ball = of(LightKind::Sphere, 2);
+    ball.direction[0] = ball.vertex1[0] = ball.rotation[0] = ball.angularRadius = kNan;
+    EXPECT_EQ(pack({sun, bulb, ball}), Status::Ok) << said_;
+    EXPECT_EQ(packed_.textures, 0u);
 }
 
 TEST_F(LightPack, RefusesTwoLightsOfOneId) {
@@ -140,9 +162,9 @@ TEST_F(LightPack, GapsInTheIdsHoldNoLight) {
 TEST_F(LightPack, NoLights) {
     ASSERT_EQ(pack({}), Status::Ok);
     EXPECT_EQ(packed_.count, 0u);
-    EXPECT_FALSE(packed_.directional);
+    EXPECT_FALSE(packed_.infinite);
     ASSERT_EQ(pack({triangle(3), of(LightKind::Directional, 1)}), Status::Ok);
-    EXPECT_TRUE(packed_.directional);
+    EXPECT_TRUE(packed_.infinite);
 }
 
 // Finite corners whose area is not.
@@ -169,6 +191,33 @@ TEST_F(LightPack, MeanLuminance) {
     EXPECT_EQ(at(0).selection, 3);
     EXPECT_FLOAT_EQ(at(1).selection, 0.7152f);
     EXPECT_FLOAT_EQ(at(2).selection, 1);
+}
+
+TEST_F(LightPack, LightsAtInfinity) {
+    Light sun = of(LightKind::Directional, 3);
+    Light sky = of(LightKind::Environment, 5);
+    for (float& e : sky.emission) e = 0.5f;
+    ASSERT_EQ(pack({sun, sky, triangle(0)}), Status::Ok) << said_;
+    EXPECT_FLOAT_EQ(at(5).selection, 6);   // times the map's integral
+    EXPECT_EQ(packed_.found[0], 5u);       // the sun is a point
+    EXPECT_EQ(packed_.found[1], RS_NO_LIGHT);
+    sun.angularRadius = 0.01f;
+    ASSERT_EQ(pack({sun, sky}), Status::Ok) << said_;
+    EXPECT_EQ(packed_.found[0], 3u);
+    EXPECT_EQ(packed_.found[1], 5u);
+    std::vector<Light> suns;
+    for (uint32_t id = 0; id < 5; ++id) {
+        suns.push_back(sun);
+        suns.back().id = id;
+    }
+    EXPECT_EQ(pack(suns), Status::InvalidArgument);
+    EXPECT_NE(said_.find("light 4 (id 4): more than 4 lights at infinity"), std::string::npos) << said_;
+    packer_.environmentHas(-1);
+    EXPECT_EQ(pack({sky}), Status::InvalidArgument);
+    EXPECT_NE(said_.find("uploadEnvironment"), std::string::npos) << said_;
+    packer_.environmentHas(0);   // a black map
+    ASSERT_EQ(pack({sky}), Status::Ok) << said_;
+    EXPECT_EQ(at(5).selection, 0);
 }
 
 TEST_F(LightPack, TriangleFields) {

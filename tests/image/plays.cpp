@@ -1,6 +1,7 @@
 #include "image/plays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <support/closed_form.h>
@@ -121,9 +122,47 @@ private:
     }
 };
 
+// Still. Lights whose points are drawn for the receiver.
+class Ball : public Play {
+public:
+    Ball() {
+        samples::SceneData data = planeScene();
+        view = data.views[0];
+        scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
+    }
+    void setUp(HostView& host, uint32_t, uint32_t) const override {
+        const glm::vec3 corner = kPanel.origin, next = corner + kPanel.u, last = corner + kPanel.v;
+        host.upload(std::array{Light{.id = 0,
+                                     .kind = restir::LightKind::Sphere,
+                                     .position = {-0.3f, 0.5f, -0.1f},
+                                     .radius = kRadius,
+                                     .emission = {3, 2, 1}},
+                               Light{.id = 1,
+                                     .kind = restir::LightKind::Rectangle,
+                                     .position = {corner.x, corner.y, corner.z},
+                                     .vertex1 = {next.x, next.y, next.z},
+                                     .vertex2 = {last.x, last.y, last.z},
+                                     .emission = {1, 2, 3}}});
+    }
+    samples::FloatImage truth() const override {
+        return planePicture(view, kExtent, 1, [](glm::dvec3 p) {
+            return glm::dvec3(3, 2, 1) * sphereIrradiance(glm::dvec3(-0.3f, 0.5f, -0.1f) - p, double(kRadius)) +
+                   glm::dvec3(1, 2, 3) * lampIrradiance(kPanel, p);
+        });
+    }
+
+private:
+    static constexpr float kRadius = 0.4f;
+    static inline const Patch kPanel = lamp({0.4f, 0.3f, 0.1f}, 0.3f);
+};
+
 }   // namespace
 
 const Play& play(Stage stage) {
+    if (stage == Stage::Ball) {
+        static const Ball ball;
+        return ball;
+    }
     if (stage == Stage::NearShadows) {
         static const Shadows shadows(lamp({-0.65f, 1.2f, 0}, 0.6f), lamp({0.65f, 1.25f, 0}, 0.6f),
                                      lamp({0, 0.95f, -0.05f}, 0.35f));

@@ -25,6 +25,7 @@ enum class Stage : uint8_t {
     Shadows,       // two lamps of different colours, each hidden from another part of a plane
     NearShadows,   // the same with lamps that directions find often
     Changes,       // moving camera, changing lights, no blocker
+    Ball,          // a sphere and a rectangle close to a plane, drawn by solid angle
 };
 // Made once.
 const Play& play(Stage stage);

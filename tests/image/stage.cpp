@@ -40,6 +40,16 @@ double lampIrradiance(const Patch& lamp, glm::dvec3 point) {
     return std::abs(polygonIrradiance(std::array{o, o + u, o + u + v, o + v}, point, {0, 1, 0}));
 }
 
+double sphereIrradiance(glm::dvec3 toCentre, double radius) {
+    const double distance = glm::length(toCentre);
+    return std::numbers::pi * radius * radius * toCentre.y / (distance * distance * distance);
+}
+
+double diskIrradiance(glm::dvec3 toCentre, double radius) {
+    const double h2 = toCentre.y * toCentre.y, a2 = toCentre.x * toCentre.x + toCentre.z * toCentre.z, r2 = radius * radius;
+    return 0.5 * std::numbers::pi * (1 - (h2 + a2 - r2) / std::sqrt((h2 + a2 + r2) * (h2 + a2 + r2) - 4 * r2 * a2));
+}
+
 bool planePoint(const samples::CameraPose& pose, VkExtent2D extent, glm::dvec2 pixel, glm::dvec3& point) {
     const glm::dvec2 ndc = 2.0 * pixel / glm::dvec2(extent.width, extent.height) - 1.0;
     const glm::dvec3 direction =

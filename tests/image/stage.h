@@ -23,6 +23,9 @@ samples::build::Patch lamp(glm::vec3 middle, float half);
 // Lambert's formula: irradiance from a polygon of radiance 1, counter-clockwise as seen from `point`.
 double polygonIrradiance(std::span<const glm::dvec3> polygon, glm::dvec3 point, glm::dvec3 normal);
 double lampIrradiance(const samples::build::Patch& lamp, glm::dvec3 point);   // on the plane
+// On the plane, by a light of radiance 1 that is `toCentre` away: a sphere wholly above it, and a disk that faces it.
+double sphereIrradiance(glm::dvec3 toCentre, double radius);
+double diskIrradiance(glm::dvec3 toCentre, double radius);
 
 // The plane from the irradiance at each of its points, as the mean over n x n positions in a pixel.
 using Irradiance = std::function<glm::dvec3(glm::dvec3)>;

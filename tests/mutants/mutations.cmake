@@ -8,8 +8,8 @@ restir_mutant(misses_not_counted "light candidates without light are not counted
 ]] [[    chosen.sum = 0.0;
     float misses = 0.0;
 ]]
-    [[        if (direct.target == 0.0 || light.selection <= 0.0) continue;]]
-    [[        if (direct.target == 0.0 || light.selection <= 0.0) {
+    [[        if (!(pdf > 0.0)) continue;]]
+    [[        if (!(pdf > 0.0)) {
             misses += 1.0;
             continue;
         }]]
@@ -20,7 +20,7 @@ restir_mutant(misses_not_counted "light candidates without light are not counted
 restir_mutant(bsdf_share_without_visibility
     "what directions cannot find, being occluded, is weighed as if they could, then reused (section 2)"
     restir/di/candidates.glsl di/candidates
-    [[pb = visible && nb > 0.0 ?]] [[pb = nb > 0.0 ?]])
+    [[either = visible && nb > 0.0]] [[either = nb > 0.0]])
 
 restir_mutant(bsdf_density_without_count "p_b instead of n_b p_b (section 2)"
     restir/di/candidates.glsl di/candidates
@@ -28,7 +28,7 @@ restir_mutant(bsdf_density_without_count "p_b instead of n_b p_b (section 2)"
 
 restir_mutant(one_round_counted "directions are weighed against the lights of one round of several (section 2)"
     restir/di/candidates.glsl di/candidates
-    [[rsBsdfCandidate(s, direction, nl, nb)]] [[rsBsdfCandidate(s, direction, perRound, nb)]])
+    [[rsOfferDirection(fresh, s, direction, nl, nb, random)]] [[rsOfferDirection(fresh, s, direction, perRound, nb, random)]])
 
 restir_mutant(mixed_measures "p_b per solid angle beside p_l per area (section 1)"
     restir/di/candidates.glsl di/candidates
@@ -43,15 +43,20 @@ restir_mutant(light_drawn_off_its_pdf "light 0 is drawn half as often as its pdf
     [[    uint id = rsNextBits(random) < entry.threshold ? column : entry.alias;
     return id == 0u && rsNext(random) < 0.5 ? 1u : id;]])
 
+restir_mutant(receivers_density_missing "a point drawn for the receiver counts as one drawn uniformly (section 2)"
+    restir/lights/table.glsl di/candidates
+    [[    return light.selection * rsPdfLightUv(light, uv, incident, seen);]]
+    [[    return light.selection;]])
+
 restir_mutant(coin_reused "the random number that chose a light also decides whether it is kept (section 4, independent coins)"
     restir/di/candidates.glsl di/candidates
     [[        uint id = rsSampleLight(lightCount, random);]]
     [[        RsRandom again = random;
         uint id = rsSampleLight(lightCount, random);]]
     [[        float coin = rsNext(random);
-        if (direct.target == 0.0]]
+        float pdf]]
     [[        float coin = rsNext(again);
-        if (direct.target == 0.0]])
+        float pdf]])
 
 restir_mutant(survivors_counted "an empty fresh reservoir has confidence 0 (section 2, counting)"
     restir/di/candidates.glsl di/candidates

@@ -37,6 +37,8 @@ struct RsFrame {
     uint normalEncoding;   // RS_NORMAL_*
     uint rayLogCapacity;   // rays
     uint debugView;        // RS_DEBUG_*
+    uvec2 environmentExtent;   // texels of the importance table
+    uvec4 infiniteLights;      // ids, those there are in front; else RS_NO_LIGHT
     RsDiConstants di;
 };
 
@@ -98,19 +100,20 @@ RS_SHARED_END
 #define RS_BIND_COUNTERS 12
 #define RS_BIND_RAY_LOG 13
 #define RS_BIND_NOTES 14               // uint: targets of partners' samples, two in a word
-#define RS_BIND_DEPTH 15
-#define RS_BIND_NORMAL 16
-#define RS_BIND_GEOMETRIC_NORMAL 17
-#define RS_BIND_BASE_COLOR 18
-#define RS_BIND_MATERIAL 19
-#define RS_BIND_MOTION 20
-#define RS_BIND_EMISSION 21
-#define RS_BIND_RADIANCE 22
-#define RS_BIND_DEBUG 23             // from RADIANCE on: storage images
-#define RS_BIND_DIFFUSE 24
-#define RS_BIND_SPECULAR 25
-#define RS_BIND_GRADIENT 26
-#define RS_BIND_COUNT 27
+#define RS_BIND_ENVIRONMENT 15         // RsEnvironmentTexel: the importance table
+#define RS_BIND_DEPTH 16
+#define RS_BIND_NORMAL 17
+#define RS_BIND_GEOMETRIC_NORMAL 18
+#define RS_BIND_BASE_COLOR 19
+#define RS_BIND_MATERIAL 20
+#define RS_BIND_MOTION 21
+#define RS_BIND_EMISSION 22
+#define RS_BIND_RADIANCE 23
+#define RS_BIND_DEBUG 24             // from RADIANCE on: storage images
+#define RS_BIND_DIFFUSE 25
+#define RS_BIND_SPECULAR 26
+#define RS_BIND_GRADIENT 27
+#define RS_BIND_COUNT 28
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

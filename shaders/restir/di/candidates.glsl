@@ -1,10 +1,11 @@
 // Fresh candidates in two stages (Talbot et al. 2005; Veach 1997).
 //   1. n rounds of k lights from the power table, each resampled by p^ / (k p_l); a shadow ray to each survivor finds
 //      its V. With W = sum / p^ a survivor is an unbiased sample of all that is lit, occluded or not.
+//      p_l is the light's probability times the density of the point for this receiver (restir/lights/light.glsl).
 //   2. The survivors, weighted m_r p^ W with m_r = k p_l / (n k p_l + n_b p_b V), against n_b BSDF directions that hit a
 //      light, weighted p^ / (n k p_l + n_b p_b): the balance heuristic over all n k + n_b candidates.
 // Where V = 1 the n equal m_r and the directions' share n_b p_b / (n k p_l + n_b p_b) add up to 1, where V = 0 the n m_r
-// alone do, each 1 / n. So the reservoir covers occluded points too unless `kill` drops them, and either is unbiased for
+// alone do, each 1 / n. p_b is 0 for lights that no ray finds. So the reservoir covers occluded points too unless `kill` drops them, and either is unbiased for
 // its own target. A miss counts. Whatever was found, the confidence is that of the rounds: 1 for a frame's usual number.
 #ifndef RESTIR_DI_CANDIDATES_GLSL
 #define RESTIR_DI_CANDIDATES_GLSL
@@ -12,12 +13,15 @@
 #include "restir/di/reservoir.glsl"
 
 uint rsBridgeLight(RsHit hit);   // light id of what was hit, RS_NO_LIGHT for none
+// Ids of the extended lights at infinity, in front, then RS_NO_LIGHT. i < RS_INFINITE_LIGHTS
+uint rsInfiniteLight(uint i);
 
 struct RsChosenLight {
     uint light;
     uint uv;
     float sum;         // of the resampling weights: p^ W of the survivor; 0: none
-    float selection;   // its p_l
+    float pdf;         // its p_l
+    bool found;        // whether BSDF directions find it, too
     RsDirect direct;
 };
 
@@ -27,41 +31,18 @@ RsChosenLight rsResampleLights(RsSurface s, uint lightCount, uint candidates, in
     for (uint i = 0u; lightCount > 0u && i < candidates; ++i) {
         uint id = rsSampleLight(lightCount, random);
         RsPackedLight light = rsLoadLight(id);
-        uint uv = rsSampleLightUv(light, rsNextBits(random));
+        float seen;
+        uint uv = rsSampleLightUv(light, rsRayOrigin(s), random, seen);
         RsDirect direct = rsDirect(s, light, uv);
         float coin = rsNext(random);
-        if (direct.target == 0.0 || light.selection <= 0.0) continue;
-        float weight = direct.target / (float(candidates) * light.selection);
+        float pdf = direct.target > 0.0 ? rsPdfLight(light, uv, direct.incident, seen) : 0.0;
+        if (!(pdf > 0.0)) continue;
+        float weight = direct.target / (float(candidates) * pdf);
         float sum = chosen.sum + weight;
-        if (coin * sum < weight) chosen = RsChosenLight(id, uv, sum, light.selection, direct);
+        if (coin * sum < weight) chosen = RsChosenLight(id, uv, sum, pdf, rsIsFoundByRays(light), direct);
         chosen.sum = sum;
     }
     return chosen;
-}
-
-// A BSDF direction that found a light: its resampling weight and what it found.
-struct RsBsdfCandidate {
-    uint light;
-    uint uv;
-    float weight;
-    float target;
-};
-
-RsBsdfCandidate rsBsdfCandidate(RsSurface s, vec3 direction, float lightCandidates, float bsdfCandidates) {
-    RsBsdfCandidate none = RsBsdfCandidate(RS_NO_LIGHT, 0u, 0.0, 0.0);
-    if (!(rsBridgeBsdfPdf(s, direction) > 0.0)) return none;
-    RsHit hit = rsClosestHit(rsRayOrigin(s), direction, RS_FAR);
-    if (hit.t < 0.0) return none;
-    uint id = rsBridgeLight(hit);
-    if (id == RS_NO_LIGHT) return none;
-    RsPackedLight light = rsLoadLight(id);
-    if (rsLightKind(light) != RS_LIGHT_TRIANGLE) return none;
-    uint uv = rsPackUv(hit.barycentrics);
-    RsDirect direct = rsDirect(s, light, uv);
-    float pdf = rsBridgeBsdfPdf(s, direct.incident.direction) * direct.incident.solidAngle;
-    if (!(direct.target > 0.0 && pdf > 0.0)) return none;
-    float weight = direct.target / (lightCandidates * light.selection + bsdfCandidates * pdf);
-    return RsBsdfCandidate(id, uv, weight, direct.target);
 }
 
 // The second stage while it runs.
@@ -77,6 +58,37 @@ void rsOffer(inout RsFresh fresh, uint light, uint uv, float target, float weigh
     if (coin * fresh.sum < weight) fresh = RsFresh(light, uv, target, fresh.sum);
 }
 
+// A point of a light that a BSDF direction found.
+void rsOfferFound(inout RsFresh fresh, RsSurface s, uint id, RsPackedLight light, uint uv, float lightCandidates,
+                  float bsdfCandidates, float coin) {
+    RsDirect direct = rsDirect(s, light, uv);
+    float pdf = rsBridgeBsdfPdf(s, direct.incident.direction) * direct.incident.solidAngle;
+    if (!(direct.target > 0.0 && pdf > 0.0)) return;
+    float lightPdf = rsPdfLight(light, uv, direct.incident, 0.0);
+    float weight = direct.target / (lightCandidates * lightPdf + bsdfCandidates * pdf);
+    rsOffer(fresh, id, uv, direct.target, weight, coin);
+}
+
+// What a BSDF direction finds: the triangle that it hits, else all there is at infinity, each light a candidate of its own.
+void rsOfferDirection(inout RsFresh fresh, RsSurface s, vec3 direction, float lightCandidates, float bsdfCandidates,
+                      inout RsRandom random) {
+    if (!(rsBridgeBsdfPdf(s, direction) > 0.0)) return;
+    RsHit hit = rsClosestHit(rsRayOrigin(s), direction, RS_FAR);
+    bool missed = hit.t < 0.0;
+    uint count = missed ? RS_INFINITE_LIGHTS : 1u;
+    for (uint i = 0u; i < count; ++i) {
+        uint id = RS_NO_LIGHT, uv = 0u;
+        if (missed) id = rsInfiniteLight(i);
+        else id = rsBridgeLight(hit);
+        if (id == RS_NO_LIGHT) return;
+        RsPackedLight light = rsLoadLight(id);
+        bool found = rsLightKind(light) == RS_LIGHT_TRIANGLE;
+        if (missed) found = rsFindAtInfinity(light, direction, uv);
+        else uv = rsPackUv(hit.barycentrics);
+        if (found) rsOfferFound(fresh, s, id, light, uv, lightCandidates, bsdfCandidates, rsNext(random));
+    }
+}
+
 RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout RsRandom random) {
     bool kill = di.visibility != RS_VISIBILITY_NONE;
     bool traced = kill || di.bsdfCandidates > 0u;   // else V changes nothing
@@ -89,15 +101,14 @@ RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout
         RsIncident incident = survivor.direct.incident;
         bool visible = !traced || rsUnoccluded(s, incident);
         if (kill && !visible) continue;
-        float pb = visible && nb > 0.0 ? rsBridgeBsdfPdf(s, incident.direction) * incident.solidAngle : 0.0;
-        float mis = perRound * survivor.selection / (nl * survivor.selection + nb * pb);
+        bool either = visible && nb > 0.0 && survivor.found;
+        float pb = either ? rsBridgeBsdfPdf(s, incident.direction) * incident.solidAngle : 0.0;
+        float mis = perRound * survivor.pdf / (nl * survivor.pdf + nb * pb);
         rsOffer(fresh, survivor.light, survivor.uv, survivor.direct.target, mis * survivor.sum, coin);
     }
     for (uint i = 0u; lightCount > 0u && i < di.bsdfCandidates; ++i) {
         vec3 direction = rsBridgeSampleBsdf(s, vec3(rsNext2(random), rsNext(random)));
-        RsBsdfCandidate found = rsBsdfCandidate(s, direction, nl, nb);
-        float coin = rsNext(random);
-        if (found.weight > 0.0) rsOffer(fresh, found.light, found.uv, found.target, found.weight, coin);
+        rsOfferDirection(fresh, s, direction, nl, nb, random);
     }
     return fresh.sum > 0.0 ? rsMakeReservoir(fresh.light, fresh.uv, fresh.sum / fresh.target, di.freshConfidence, 0u)
                            : rsEmptyReservoir(di.freshConfidence);

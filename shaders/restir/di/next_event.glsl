@@ -7,9 +7,11 @@ RsShading rsDiNextEvent(RsSurface s, uint lightCount, uint samples, inout RsRand
     RsShading sum = rsNoLight();
     for (uint i = 0u; lightCount > 0u && i < samples; ++i) {
         RsPackedLight light = rsLoadLight(rsSampleLight(lightCount, random));
-        RsDirect direct = rsDirect(s, light, rsSampleLightUv(light, rsNextBits(random)));
-        if (direct.target > 0.0 && light.selection > 0.0 && rsUnoccluded(s, direct.incident))
-            rsAddLight(sum, s, direct, 1.0 / light.selection);
+        float seen;
+        uint uv = rsSampleLightUv(light, rsRayOrigin(s), random, seen);
+        RsDirect direct = rsDirect(s, light, uv);
+        float pdf = direct.target > 0.0 ? rsPdfLight(light, uv, direct.incident, seen) : 0.0;
+        if (pdf > 0.0 && rsUnoccluded(s, direct.incident)) rsAddLight(sum, s, direct, 1.0 / pdf);
     }
     return rsDivide(sum, float(samples));
 }

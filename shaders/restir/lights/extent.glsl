@@ -12,9 +12,9 @@ uint rsOrdered(float value) {
 float rsFromOrdered(uint key) { return uintBitsToFloat((key & 0x80000000u) != 0u ? key & 0x7fffffffu : ~key); }
 
 // A light of this kind is somewhere.
-bool rsIsFinite(uint kind) { return kind != RS_LIGHT_NONE && kind != RS_LIGHT_DIRECTIONAL; }
+bool rsIsFinite(uint kind) { return kind != RS_LIGHT_NONE && kind != RS_LIGHT_DIRECTIONAL && kind != RS_LIGHT_ENVIRONMENT; }
 
-// Area of a disc that holds the box, at least that of the unit disc: what a directional light shines on. `high` and
+// Area of a disc that holds the box, at least that of the unit disc: what a light at infinity shines on. `high` and
 // `low` are the maxima of rsOrdered(x) and rsOrdered(-x), 0 if there is no light.
 RsScaled rsSceneArea(uvec3 high, uvec3 low) {
     RsScaled least = rsScaled(RS_PI);

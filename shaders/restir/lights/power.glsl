@@ -41,23 +41,41 @@ RsScaled rsTriangleArea(vec3 edge1, vec3 edge2) {
     return RsScaled(area.mantissa, area.exponent + shift1 + shift2);
 }
 
+RsScaled rsLength(vec3 v) {
+    int shift;
+    RsScaled size = rsScaled(length(rsNormalized(v, shift)));
+    return RsScaled(size.mantissa, size.mantissa > 0.0 ? size.exponent + shift : 0);
+}
+
+// Of a capsule: a tube and its round ends, each end as much as a tube of its radius.
+RsScaled rsCapsuleArea(vec3 axis, float radius) {
+    RsScaled r = rsScaled(radius), span = rsLength(axis);
+    if (r.mantissa == 0.0) return r;
+    // Relative to the radius; beyond 2^100 of it the ends are nothing.
+    float ends = 2.0, tube = span.mantissa * exp2(float(clamp(span.exponent - r.exponent, -100, 100))) / r.mantissa;
+    return rsTimes(rsTimes(r, r), rsScaled(2.0 * RS_PI * (ends + tube)));
+}
+
 // Integral of a spot's cone over directions, as rsIncident has it: clamp(cos scale + offset, 0, 1)^2.
 float rsConeSolidAngle(float scale, float offset) {
     float axis = min(scale + offset, 1.0);
     return 2.0 * RS_PI * (max(1.0 - (1.0 - offset) / scale, 0.0) + axis * axis * axis / (3.0 * scale));
 }
 
-// `light.selection` holds the mean luminance of its emission, `sceneArea` (m^2) is what a directional light shines on.
+// `light.selection` holds the mean luminance of its emission, the environment's times its map's integral over
+// the sphere; `sceneArea` (m^2) is what a light at infinity shines on.
 RsScaled rsLightPower(RsPackedLight light, RsScaled sceneArea) {
     RsScaled shine = rsScaled(light.selection);
+    float sides = RS_PI * ((light.kindAndTexture & RS_LIGHT_TWO_SIDED) != 0u ? 2.0 : 1.0);   // of what is flat
     switch (light.kindAndTexture & RS_LIGHT_KIND_MASK) {
-        case RS_LIGHT_TRIANGLE: {
-            float sides = (light.kindAndTexture & RS_LIGHT_TWO_SIDED) != 0u ? 2.0 : 1.0;
-            return rsTimes(rsTimes(shine, rsScaled(sides * RS_PI)), rsTriangleArea(light.edge1, light.edge2));
-        }
+        case RS_LIGHT_TRIANGLE: return rsTimes(rsTimes(shine, rsScaled(sides)), rsTriangleArea(light.edge1, light.edge2));
+        case RS_LIGHT_RECTANGLE: return rsTimes(rsTimes(shine, rsScaled(2.0 * sides)), rsTriangleArea(light.edge1, light.edge2));
+        case RS_LIGHT_DISK: return rsTimes(rsTimes(shine, rsScaled(2.0 * RS_PI * sides)), rsTriangleArea(light.edge1, light.edge2));
+        case RS_LIGHT_CAPSULE: return rsTimes(rsTimes(shine, rsScaled(RS_PI)), rsCapsuleArea(light.edge1, light.edge2.x));
         case RS_LIGHT_POINT: return rsTimes(shine, rsScaled(4.0 * RS_PI));
         case RS_LIGHT_SPOT: return rsTimes(shine, rsScaled(rsConeSolidAngle(light.edge2.x, light.edge2.y)));
-        case RS_LIGHT_DIRECTIONAL: return rsTimes(shine, sceneArea);
+        case RS_LIGHT_DIRECTIONAL:
+        case RS_LIGHT_ENVIRONMENT: return rsTimes(shine, sceneArea);
     }
     return RsScaled(0.0, 0);
 }

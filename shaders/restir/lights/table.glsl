@@ -17,4 +17,9 @@ uint rsSampleLight(uint count, inout RsRandom random) {
     return rsNextBits(random) < entry.threshold ? column : entry.alias;
 }
 
+// Density of that light and of a point that rsSampleLightUv draws on it.
+float rsPdfLight(RsPackedLight light, uint uv, RsIncident incident, float seen) {
+    return light.selection * rsPdfLightUv(light, uv, incident, seen);
+}
+
 #endif

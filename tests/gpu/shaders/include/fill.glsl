@@ -7,6 +7,7 @@
 #define V3(b) vec3{float(b), float(b + 1), float(b + 2)}
 #define V4(b) vec4{float(b), float(b + 1), float(b + 2), float(b + 3)}
 #define U2(b) uvec2{uint(b), uint(b + 1)}
+#define U4(b) uvec4{uint(b), uint(b + 1), uint(b + 2), uint(b + 3)}
 #define ADDRESS(b) (uint64_t(b) | uint64_t(b + 1) << 32)
 #define FILL inline void
 #else
@@ -17,6 +18,7 @@
 #define V3(b) vec3(b, b + 1, b + 2)
 #define V4(b) vec4(b, b + 1, b + 2, b + 3)
 #define U2(b) uvec2(b, b + 1)
+#define U4(b) uvec4(b, b + 1, b + 2, b + 3)
 #define ADDRESS(b) uvec2(b, b + 1)
 #define FILL void
 #endif
@@ -80,7 +82,9 @@ FILL fillFrame(RS_INOUT(RsFrame) s, int b) {
     s.normalEncoding = U(b + 216);
     s.rayLogCapacity = U(b + 217);
     s.debugView = U(b + 218);
-    fillDi(s.di, b + 220);
+    s.environmentExtent = U2(b + 219);
+    s.infiniteLights = U4(b + 221);
+    fillDi(s.di, b + 226);
 }
 
 FILL fillPass(RS_INOUT(RsPass) s, int b) {
@@ -112,6 +116,12 @@ FILL fillLight(RS_INOUT(RsPackedLight) s, int b) {
     s.uv0 = V2(b + 14);
     s.uv1 = V2(b + 16);
     s.uv2 = V2(b + 18);
+}
+
+FILL fillTexel(RS_INOUT(RsEnvironmentTexel) s, int b) {
+    s.threshold = U(b);
+    s.alias = U(b + 1);
+    s.probability = F(b + 2);
 }
 
 FILL fillAlias(RS_INOUT(RsAliasEntry) s, int b) {

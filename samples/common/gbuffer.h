@@ -20,6 +20,7 @@ public:
 
     // As the SDK takes it.
     restir::GBuffer describe() const;
+    const GpuImage& depth() const { return images_[Depth]; }   // -1 where there is no surface
 
 private:
     enum Name : uint8_t { Depth, Normal, GeometricNormal, BaseColor, Material, Motion, Emission, Count };

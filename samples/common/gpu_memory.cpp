@@ -185,10 +185,10 @@ void Uploader::buffer(const Buffer& target, VkDeviceSize offset, std::span<const
     }
 }
 
-void Uploader::image(const GpuImage& target, std::span<const uint8_t> texels) {
+void Uploader::image(const GpuImage& target, std::span<const std::byte> texels) {
     flush();
     const VkExtent2D extent = target.extent();
-    const VkDeviceSize rowBytes = VkDeviceSize{extent.width} * 4;
+    const VkDeviceSize rowBytes = texels.size() / extent.height;
     const auto bandRows = static_cast<uint32_t>(kStagingBytes / rowBytes);
     const Access nothing{};
     const Access copy{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,

@@ -81,8 +81,8 @@ public:
     explicit Uploader(const Device& device);
 
     void buffer(const Buffer& target, VkDeviceSize offset, std::span<const std::byte> bytes);
-    // Four bytes a texel. Leaves the image in SHADER_READ_ONLY_OPTIMAL.
-    void image(const GpuImage& target, std::span<const uint8_t> texels);
+    // The whole image, row by row. Leaves it in SHADER_READ_ONLY_OPTIMAL.
+    void image(const GpuImage& target, std::span<const std::byte> texels);
     void flush();
 
 private:

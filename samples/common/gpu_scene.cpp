@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "common/prepare_scene.h"
+#include "common/sky.h"
 #include "common/sort_triangles.h"
 
 namespace samples {
@@ -71,6 +72,8 @@ GpuScene::GpuScene(const Device& device, SceneData scene) : device_(device) {
         uploadInstances(uploader, scene);
         materials_ = makeStorage(uploader, scene.materials);
         referenceLights_ = makeStorage(uploader, rest_.lights.reference);
+        sky_ = makeStorage(uploader, skyTable(scene.sky, static_cast<uint32_t>(scene.textures.size())));
+        skyMap_ = std::move(scene.sky.map);
         uploader.flush();
         buildAcceleration(scene);
         makeSet();
@@ -148,7 +151,7 @@ void GpuScene::uploadTextures(Uploader& uploader, const SceneData& scene) {
         const VkFormat format = image.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
         images_.emplace_back(device_, VkExtent2D{image.width, image.height}, format,
                              VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
-        uploader.image(images_.back(), image.rgba);
+        uploader.image(images_.back(), bytesOf(image.rgba));
     }
     samplers_.resize(size_t{kWrapModes} * kWrapModes * 2);
     for (const Texture& texture : scene.textures) {
@@ -156,6 +159,19 @@ void GpuScene::uploadTextures(Uploader& uploader, const SceneData& scene) {
                                  .imageView = images_[texture.image].view(),
                                  .imageLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
     }
+    if (!scene.sky.map.rgb.empty()) uploadSky(uploader, scene.sky.map);
+}
+
+void GpuScene::uploadSky(Uploader& uploader, const FloatImage& map) {
+    std::vector<float> rgba;
+    for (size_t i = 0; i < map.rgb.size(); i += 3)
+        rgba.insert(rgba.end(), {map.rgb[i], map.rgb[i + 1], map.rgb[i + 2], 1.0f});
+    images_.emplace_back(device_, VkExtent2D{map.width, map.height}, VK_FORMAT_R32G32B32A32_SFLOAT,
+                         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    uploader.image(images_.back(), bytesOf(rgba));
+    textureInfos_.push_back({.sampler = sampler({.wrapU = Wrap::Repeat, .wrapV = Wrap::Clamp}),
+                             .imageView = images_.back().view(),
+                             .imageLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
 }
 
 void GpuScene::uploadInstances(Uploader& uploader, const SceneData& scene) {
@@ -222,7 +238,8 @@ void GpuScene::startMoving() {
     motion_ =
         std::make_unique<SceneMotion>(device_, rest_,
                                       SceneMotion::Targets{instances_.handle(), previousTransforms_.handle(),
-                                                           materials_.handle(), referenceLights_.handle()});
+                                                           materials_.handle(), referenceLights_.handle(),
+                                                           sky_.handle()});
 }
 
 void GpuScene::record(VkCommandBuffer cmd, uint32_t slot, const Motion& motion, float time, float previous) {

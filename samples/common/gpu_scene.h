@@ -31,6 +31,7 @@ public:
     const std::vector<restir::Light>& lights() const { return lights_; }
     uint64_t version() const { return version_; }                 // of lights()
     uint32_t maxLights() const { return rest_.lights.idCount; }   // one more than the largest id
+    const FloatImage& skyMap() const { return skyMap_; }          // no pixels: no sky
 
     // For the samples' own shaders: set 1 of scene.glsl.
     VkDescriptorSetLayout setLayout() const { return setLayout_; }
@@ -45,6 +46,7 @@ private:
     void release();
     void uploadGeometry(Uploader& uploader, const SceneData& scene);
     void uploadTextures(Uploader& uploader, const SceneData& scene);
+    void uploadSky(Uploader& uploader, const FloatImage& map);
     void uploadInstances(Uploader& uploader, const SceneData& scene);
     void buildAcceleration(const SceneData& scene);
     void makeSet();
@@ -60,7 +62,8 @@ private:
     };
 
     const Device& device_;
-    Buffer geometry_, instances_, previousTransforms_, materials_, referenceLights_;
+    Buffer geometry_, instances_, previousTransforms_, materials_, referenceLights_, sky_;
+    FloatImage skyMap_;
     std::vector<std::vector<GeometryAddresses>> addresses_;   // by mesh and geometry
     Acceleration acceleration_;
     std::vector<GpuImage> images_;

@@ -12,6 +12,7 @@ enum Binding : uint32_t {
     kMaterials,
     kReferenceLights,
     kPreviousTransforms,
+    kSky,
     kTextures,
     kBindingCount
 };
@@ -33,6 +34,7 @@ void GpuScene::makeSet() {
         binding(kMaterials, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kReferenceLights, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kPreviousTransforms, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+        binding(kSky, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::max(textureCount, 1u))};
     std::array<VkDescriptorBindingFlags, kBindingCount> flags{};
     flags[kTextures] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // scenes without textures
@@ -70,11 +72,12 @@ void GpuScene::writeSet(uint32_t index) const {
         .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR,
         .accelerationStructureCount = 1,
         .pAccelerationStructures = &structure};
-    const std::array<VkDescriptorBufferInfo, 4> buffers = {
+    const std::array<VkDescriptorBufferInfo, 5> buffers = {
         {{instances_.handle(), 0, VK_WHOLE_SIZE},
          {materials_.handle(), 0, VK_WHOLE_SIZE},
          {referenceLights_.handle(), 0, VK_WHOLE_SIZE},
-         {previousTransforms_.handle(), 0, VK_WHOLE_SIZE}}};
+         {previousTransforms_.handle(), 0, VK_WHOLE_SIZE},
+         {sky_.handle(), 0, VK_WHOLE_SIZE}}};
     std::array<VkWriteDescriptorSet, kBindingCount> writes;
     for (uint32_t i = 0; i < writes.size(); ++i) {
         writes[i] = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
@@ -82,7 +85,7 @@ void GpuScene::writeSet(uint32_t index) const {
                      .dstBinding = i,
                      .descriptorCount = 1,
                      .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-        if (i >= kInstances && i <= kPreviousTransforms) writes[i].pBufferInfo = &buffers[i - kInstances];
+        if (i >= kInstances && i <= kSky) writes[i].pBufferInfo = &buffers[i - kInstances];
     }
     writes[kTlas].pNext = &topInfo;
     writes[kTlas].descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;

@@ -20,6 +20,11 @@ restir::Scene makeScene(const Device& device, const restir::Context& context, co
     return device.require(restir::Scene::create(context, desc), "restir::Scene");
 }
 
+restir::LightTableDesc lightsOf(const GpuScene& scene) {
+    const FloatImage& sky = scene.skyMap();
+    return {.maxLights = scene.maxLights(), .maxEnvironmentTexels = sky.width * sky.height};
+}
+
 restir::SessionDesc withExtent(restir::SessionDesc desc, VkExtent2D extent) {
     desc.maxExtent = extent;
     return desc;
@@ -34,11 +39,14 @@ Renderer::Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::S
       gbuffer_(device, scene, extent),
       context_(makeContext(device, scene)),
       sdkScene_(makeScene(device, context_, scene)),
-      lights_(device.require(restir::LightTable::create(context_, {.maxLights = scene.maxLights()}),
-                             "restir::LightTable")),
+      lights_(device.require(restir::LightTable::create(context_, lightsOf(scene)), "restir::LightTable")),
       session_(
           device.require(restir::Session::create(context_, withExtent(session, extent)), "restir::Session")),
-      lightBytes_(restir::LightTable::memoryNeeded(context_, {.maxLights = scene.maxLights()})) {
+      lightBytes_(restir::LightTable::memoryNeeded(context_, lightsOf(scene))) {
+    if (const FloatImage& sky = scene.skyMap(); !sky.rgb.empty()) {
+        device.check(lights_.uploadEnvironment({sky.width, sky.height, sky.rgb}), "restir::LightTable::uploadEnvironment");
+        background_ = std::make_unique<BackgroundPass>(device, scene, gbuffer_, loop_.target(), extent);
+    }
     device.submitAndWait([&](VkCommandBuffer cmd) { uploadLights(cmd, 0); });
 }
 
@@ -92,6 +100,7 @@ void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame
     }
     input.resetHistory = frame.index == 0;
     device_.check(session_.record(cmd, input, settings), "restir::Session::record");
+    if (background_ && !debugs()) background_->record(cmd, frame.pose, frame.jitter);
 }
 
 void Renderer::collect(const Frame& frame, std::span<const float> target) {

@@ -7,6 +7,7 @@
 
 #include <restir/restir.h>
 
+#include "common/background.h"
 #include "common/frame_loop.h"
 #include "common/gbuffer.h"
 
@@ -50,6 +51,7 @@ private:
     FrameLoop loop_;
     GpuImage unseen_;   // takes the radiance where something else is looked at
     GBufferPass gbuffer_;
+    std::unique_ptr<BackgroundPass> background_;   // null: the scene has no sky
     restir::Context context_;
     restir::Scene sdkScene_;
     restir::LightTable lights_;

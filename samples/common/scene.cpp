@@ -56,6 +56,8 @@ SceneState restOf(const SceneData& scene) {
         state.worldFromObject.push_back(instance.worldFromObject);
     state.emission.assign(scene.materials.size(), 1.0f);
     state.punctual = scene.punctual;
+    state.shapes = scene.shapes;
+    state.skyRotation = scene.sky.rotation;
     return state;
 }
 

@@ -10,7 +10,10 @@
 
 #include <glm/glm.hpp>
 
+#include <restir/lights.h>
 #include <restir/shared/scene.h>
+
+#include "common/image_io.h"
 
 namespace samples {
 
@@ -57,6 +60,13 @@ struct PunctualLight {
     float innerCone = 0, outerCone = 0.785398163f;   // radians from the axis
 };
 
+// The environment: what rays that leave the scene see, and a light.
+struct Sky {
+    FloatImage map;       // equirectangular radiance, finite; no pixels: no sky
+    float rotation = 0;   // radians about y: where the map's x axis turns towards -z
+    float scale = 1;
+};
+
 // Looks from `eye` to `target`. verticalFov in radians.
 struct View {
     glm::vec3 eye{0, 0, 4}, target{0}, up{0, 1, 0};
@@ -64,11 +74,13 @@ struct View {
     std::string name = {};
 };
 
-// What may change over time. Instances, materials and punctual lights keep their places in SceneData.
+// What may change over time. Instances, materials and lights keep their places in SceneData.
 struct SceneState {
     std::vector<glm::mat4> worldFromObject = {};   // of each instance; one that mirrors must go on mirroring
     std::vector<float> emission = {};              // factor on each material's; 0: its lights are gone
     std::vector<PunctualLight> punctual = {};      // black: gone
+    std::vector<restir::Light> shapes = {};        // black: gone
+    float skyRotation = 0;
 };
 
 // Turns a scene at rest into that of a time, counted in frames; the last frame of a sequence has time 0. The
@@ -88,6 +100,8 @@ struct SceneData {
     std::vector<Mesh> meshes = {};
     std::vector<Instance> instances = {};
     std::vector<PunctualLight> punctual = {};
+    std::vector<restir::Light> shapes = {};   // lights of other kinds without texture; ids are given later
+    Sky sky = {};
     std::vector<View> views = {};             // the scene's cameras; may be empty
     std::vector<Animation> animations = {};   // ways in which it can move
 };

@@ -65,6 +65,51 @@ ReferenceLight makeReference(const PunctualLight& punctual) {
     return light;
 }
 
+glm::vec3 toGlm(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+ReferenceLight makeReference(const restir::Light& shape) {
+    using restir::LightKind;
+    ReferenceLight light;
+    light.position = toGlm(shape.position);
+    light.intensity = toGlm(shape.emission);
+    light.radius = shape.radius;
+    light.twoSided = shape.twoSided ? 1 : 0;
+    switch (shape.kind) {
+        case LightKind::Sphere:
+        case LightKind::Capsule:
+            light.kind = ReferenceKind::Capsule;
+            light.direction = shape.kind == LightKind::Sphere ? glm::vec3(0) : toGlm(shape.vertex1) - light.position;
+            light.twoSided = 0;
+            break;
+        case LightKind::Rectangle:
+            light.kind = ReferenceKind::Rectangle;
+            light.edge1 = toGlm(shape.vertex1) - light.position;
+            light.edge2 = toGlm(shape.vertex2) - light.position;
+            break;
+        case LightKind::Disk:
+            light.kind = ReferenceKind::Disk;
+            light.direction = glm::normalize(toGlm(shape.direction));
+            break;
+        case LightKind::Directional:
+            light.kind = ReferenceKind::Directional;
+            light.direction = glm::normalize(toGlm(shape.direction));
+            light.radius = shape.angularRadius;
+            break;
+        default: throw std::runtime_error("SceneData::shapes has a triangle, point, spot or environment light");
+    }
+    return light;
+}
+
+restir::Light makeSky(const Sky& sky, uint32_t texture, uint32_t id) {
+    restir::Light light{.id = id, .kind = restir::LightKind::Environment, .texture = texture};
+    copy(light.emission, glm::vec3(sky.scale));
+    return light;
+}
+void turnSky(restir::Light& light, float rotation) {
+    light.rotation[1] = std::sin(0.5f * rotation);
+    light.rotation[3] = std::cos(0.5f * rotation);
+}
+
 class Collector {
 public:
     explicit Collector(const SceneData& scene) : scene_(scene) {}
@@ -75,6 +120,8 @@ public:
                 addGeometry(i, geometry);
         }
         for (uint32_t i = 0; i < scene_.punctual.size(); ++i) addPunctual(i);
+        for (uint32_t i = 0; i < scene_.shapes.size(); ++i) addShape(i);
+        if (!scene_.sky.map.rgb.empty()) addSky();
         result_.idCount = static_cast<uint32_t>(nextId_);
         return std::move(result_);
     }
@@ -138,7 +185,25 @@ private:
         reserve(1);
         result_.lights.push_back(makePunctual(punctual, static_cast<uint32_t>(nextId_++)));
         result_.reference.push_back(makeReference(punctual));
-        result_.sources.push_back({.from = index});
+        result_.sources.push_back({.kind = LightSource::Kind::Punctual, .from = index});
+    }
+
+    void addShape(uint32_t index) {
+        reserve(1);
+        result_.lights.push_back(scene_.shapes[index]);
+        result_.lights.back().id = static_cast<uint32_t>(nextId_++);
+        result_.reference.push_back(makeReference(scene_.shapes[index]));
+        result_.sources.push_back({.kind = LightSource::Kind::Shape, .from = index});
+    }
+
+    // Its texture comes behind the scene's.
+    void addSky() {
+        reserve(1);
+        const auto texture = static_cast<uint32_t>(scene_.textures.size());
+        result_.lights.push_back(makeSky(scene_.sky, texture, static_cast<uint32_t>(nextId_++)));
+        turnSky(result_.lights.back(), scene_.sky.rotation);
+        result_.reference.push_back({.kind = ReferenceKind::Sky});
+        result_.sources.push_back({.kind = LightSource::Kind::Sky});
     }
 
     void reserve(uint64_t count) const {
@@ -158,22 +223,25 @@ private:
 SceneLights makeSceneLights(const SceneData& scene) { return Collector(scene).collect(); }
 
 std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& state) {
+    using Kind = LightSource::Kind;
     std::vector<restir::Light> lights;
     lights.reserve(rest.lights.size());
     for (size_t i = 0; i < rest.lights.size(); ++i) {
         restir::Light light = rest.lights[i];
         const LightSource& source = rest.sources[i];
-        if (light.kind != restir::LightKind::Triangle) {
-            light = makePunctual(state.punctual[source.from], light.id);
-            if (luminance(state.punctual[source.from].intensity) > 0) lights.push_back(light);
-            continue;
+        const float factor = source.kind == Kind::Triangle ? state.emission[source.material] : 1;
+        if (source.kind == Kind::Punctual) light = makePunctual(state.punctual[source.from], light.id);
+        if (source.kind == Kind::Shape) {
+            light = state.shapes[source.from];
+            light.id = rest.lights[i].id;
         }
-        const float factor = state.emission[source.material];
-        if (!(factor > 0)) continue;
-        placeTriangle(light, source, state.worldFromObject[source.from]);
-        for (float& channel : light.emission) channel *= factor;
-        light.meanLuminance *= factor;   // negative, it still stands for "untextured"
-        lights.push_back(light);
+        if (source.kind == Kind::Sky) turnSky(light, state.skyRotation);
+        if (source.kind == Kind::Triangle) {
+            placeTriangle(light, source, state.worldFromObject[source.from]);
+            for (float& channel : light.emission) channel *= factor;
+            light.meanLuminance *= factor;   // negative, it still stands for "untextured"
+        }
+        if (factor > 0 && luminance(toGlm(light.emission)) > 0) lights.push_back(light);
     }
     return lights;
 }
@@ -181,8 +249,9 @@ std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& s
 std::vector<ReferenceLight> referenceAt(const SceneLights& rest, const SceneState& state) {
     std::vector<ReferenceLight> lights = rest.reference;
     for (size_t i = 0; i < lights.size(); ++i) {
-        if (lights[i].kind != ReferenceKind::Triangle)
-            lights[i] = makeReference(state.punctual[rest.sources[i].from]);
+        const LightSource& source = rest.sources[i];
+        if (source.kind == LightSource::Kind::Punctual) lights[i] = makeReference(state.punctual[source.from]);
+        if (source.kind == LightSource::Kind::Shape) lights[i] = makeReference(state.shapes[source.from]);
     }
     return lights;
 }

@@ -10,17 +10,21 @@
 namespace samples {
 
 // Kinds in reference_lights.glsl, whose struct this is.
-enum class ReferenceKind : uint32_t { Triangle, Local, Directional };
+enum class ReferenceKind : uint32_t { Triangle, Local, Directional, Capsule, Rectangle, Disk, Sky };
 struct ReferenceLight {
     ReferenceKind kind = ReferenceKind::Triangle;
     uint32_t record = 0, primitive = 0;
     glm::vec3 position{0}, direction{0, 0, -1}, intensity{0};
-    float range = 0, coneScale = 0, coneOffset = 1;
+    float range = 0, coneScale = 0, coneOffset = 1, radius = 0;
+    glm::vec3 edge1{0}, edge2{0};
+    uint32_t twoSided = 0;
 };
 
 // Where a light comes from.
 struct LightSource {
-    uint32_t from = 0;           // triangle: its instance; else which punctual light
+    enum class Kind : uint8_t { Triangle, Punctual, Shape, Sky };
+    Kind kind = Kind::Triangle;
+    uint32_t from = 0;           // triangle: its instance; punctual, shape: which one
     uint32_t material = 0;       // of a triangle
     glm::vec3 corners[3] = {};   // of a triangle, in object space
 };

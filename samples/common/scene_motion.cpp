@@ -1,5 +1,10 @@
 #include "common/scene_motion.h"
 
+#include <array>
+#include <cstddef>
+
+#include "common/sky.h"
+
 namespace samples {
 namespace {
 
@@ -26,6 +31,7 @@ SceneMotion::SceneMotion(const Device& device, const RestingScene& rest, const T
     materials_ = append(rest.materials.size() * sizeof(rest.materials[0]));
     reference_ = append(rest.lights.reference.size() * sizeof(ReferenceLight));
     entries_ = append(rest.entries.size() * sizeof(rest.entries[0]));
+    skyRotation_ = append(sizeof(float));
     for (Buffer& buffer : staging_) {
         buffer = Buffer(
             device, {.size = size_,
@@ -70,6 +76,7 @@ void SceneMotion::write(std::byte* staging, const SceneState& now, const SceneSt
     for (size_t i = 0; i < entries.size(); ++i)
         copyRows(entries[i].transform.matrix, now.worldFromObject[rest_.entryInstance[i]]);
     put(entries_, entries);
+    put(skyRotation_, std::array{now.skyRotation});
 }
 
 void SceneMotion::record(VkCommandBuffer cmd, uint32_t slot, const SceneState& now, const SceneState& before,
@@ -78,15 +85,16 @@ void SceneMotion::record(VkCommandBuffer cmd, uint32_t slot, const SceneState& n
     write(staging.mapped(), now, before);
     memoryBarrier(cmd, {kCompute | kCopy | kBuild, VK_ACCESS_2_TRANSFER_WRITE_BIT | kBuildWrite},
                   {kCopy | kBuild, VK_ACCESS_2_TRANSFER_WRITE_BIT | kBuildAccess});
-    const auto copy = [&](const Section& section, VkBuffer target) {
+    const auto copy = [&](const Section& section, VkBuffer target, VkDeviceSize to = 0) {
         if (section.bytes == 0) return;
-        const VkBufferCopy region{.srcOffset = section.offset, .size = section.bytes};
+        const VkBufferCopy region{.srcOffset = section.offset, .dstOffset = to, .size = section.bytes};
         vkCmdCopyBuffer(cmd, staging.handle(), target, 1, &region);
     };
     copy(records_, targets_.instances);
     copy(previous_, targets_.previousTransforms);
     copy(materials_, targets_.materials);
     copy(reference_, targets_.referenceLights);
+    copy(skyRotation_, targets_.sky, offsetof(SkyHeader, rotation));
     top.record(cmd, staging.address() + entries_.offset);
     memoryBarrier(
         cmd, {kCopy | kBuild, VK_ACCESS_2_TRANSFER_WRITE_BIT | kBuildWrite},

@@ -39,7 +39,7 @@ class SceneMotion {
 public:
     // What the frame's shaders read.
     struct Targets {
-        VkBuffer instances, previousTransforms, materials, referenceLights;
+        VkBuffer instances, previousTransforms, materials, referenceLights, sky;
     };
     // Borrows both.
     SceneMotion(const Device& device, const RestingScene& rest, const Targets& targets);
@@ -60,7 +60,7 @@ private:
     const RestingScene& rest_;
     Targets targets_;
     VkDeviceSize size_ = 0;
-    Section records_, previous_, materials_, reference_, entries_;
+    Section records_, previous_, materials_, reference_, entries_, skyRotation_;
     Buffer staging_[FrameSlots::kCount];
 };
 

@@ -53,10 +53,10 @@ void printView(const Options& options) {
             line("red", "occluded, A: 0");
             return;
         case DebugView::Samples:
-            std::printf("barycentric point on the light; A: its distance in metres, 1e30 where infinite\n");
-            line("red", "vertex 1");
-            line("green", "vertex 2");
-            line("blue", "vertex 0, or a light without extent");
+            std::printf("point on the light; A: its distance in metres, 1e30 where infinite\n");
+            line("red", "vertex 1 of a triangle, else u");
+            line("green", "vertex 2, else v");
+            line("blue", "vertex 0, else what u and v leave of 1");
             return;
         case DebugView::Neighbours:
             return printNeighbours();

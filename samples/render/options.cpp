@@ -47,7 +47,7 @@ std::optional<glm::vec3> parsePoint(const std::string& text, const char* option)
 }
 
 struct Texts {
-    std::string size, eye, target, environment, nextEvent;
+    std::string size, eye, target, nextEvent;
 };
 
 const std::map<std::string, Mode> kModes = {
@@ -110,7 +110,14 @@ void addPicture(CLI::App& app, Options& options, Texts& texts) {
         ->excludes(camera);
     app.add_option("--fov", options.fov, "vertical field of view (45)")->type_name("DEG")->excludes(camera);
     app.add_flag("--lambert", options.lambert, "make every material a diffuse one of its base colour");
-    app.add_option("--env", texts.environment, "environment map")->type_name("FILE.hdr");
+    auto* environment = app.add_option("--env", options.environment, "environment map: a file, or builtin:sky");
+    environment->type_name("FILE.hdr|.exr");
+    app.add_option("--env-rotation", options.environmentRotation, "turns the map about the vertical")
+        ->type_name("DEG")
+        ->needs(environment);
+    app.add_option("--env-scale", options.environmentScale, "factor on the map")
+        ->check(CLI::Range(0.0, 1e9))
+        ->needs(environment);
     app.add_option("--out", options.exr, "linear picture")->type_name("FILE.exr");
     app.add_option("--png", options.png, "tone-mapped picture")->type_name("FILE.png");
     app.add_option("--stats", options.stats, "times, rays and memory")->type_name("FILE.json");
@@ -195,8 +202,6 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw std::runtime_error(error.what());
     }
-    if (!texts.environment.empty())
-        throw std::runtime_error("--env: environment lights are not supported yet");
     options.referenceNextEvent = texts.nextEvent != "off";
     applySize(options, texts.size);
     applyMode(options);

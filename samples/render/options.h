@@ -17,6 +17,9 @@ enum class Mode : uint8_t { Reference, NextEvent, Ris, Di };
 
 struct Options {
     std::string scene;
+    std::string environment;            // empty: none
+    float environmentRotation = 0;      // degrees
+    float environmentScale = 1;
     VkExtent2D size{640, 360};
     Mode mode = Mode::Di;
     std::string modeName = "di";

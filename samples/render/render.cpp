@@ -9,6 +9,7 @@
 #include "common/di_options.h"
 #include "common/reference.h"
 #include "common/renderer.h"
+#include "common/sky.h"
 
 namespace render {
 namespace {
@@ -16,6 +17,10 @@ namespace {
 samples::SceneData load(const Options& options) {
     std::vector<std::string> warnings;
     samples::SceneData scene = samples::loadScene(options.scene, warnings);
+    if (!options.environment.empty())
+        scene.sky = {.map = samples::loadSky(options.environment, warnings),
+                     .rotation = glm::radians(options.environmentRotation),
+                     .scale = options.environmentScale};
     for (const std::string& warning : warnings) {
         if (!options.quiet) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     }

@@ -89,12 +89,12 @@ vec3 reflected(Vertex v, vec3 direction) {
 vec3 lightContribution(Vertex v, out vec3 target) {
     vec4 random = random4();
     uint index = min(uint(random.x * float(lightCount)), lightCount - 1u);
-    LightSample light = sampleLight(index, random.yz, v.origin);
+    LightSample light = sampleLight(index, random.yzw, v.origin);
     target = light.target;
     vec3 f = light.weight > 0.0 ? reflected(v, light.direction) * light.radiance : vec3(0.0);
     if (f == vec3(0.0)) return f;
     float share = 1.0;
-    if (light.pdf > 0.0) {   // an area light, which BSDF sampling finds, too
+    if (light.pdf > 0.0) {   // which BSDF sampling finds, too
         float pdf = light.pdf / float(lightCount);
         share = pdf / (pdf + bsdfPdf(v.bsdf, v.view, light.direction * v.worldFromLocal));
     }
@@ -117,7 +117,12 @@ vec3 tracePath(vec3 origin, vec3 direction, inout uint rays) {
         if (shadow) {
             if (!hit.found) radiance += pending;
         } else {
-            if (!hit.found) break;
+            if (!hit.found) {
+                if (!hasSky()) break;
+                float lightPdf = pdf > 0.0 && nextEvent ? skyPdf(direction) / float(lightCount) : 0.0;
+                radiance += throughput * skyRadiance(direction) * (pdf > 0.0 ? pdf / (pdf + lightPdf) : 1.0);
+                break;
+            }
             Surface s = sceneSurface(hit);
             vec3 toOrigin = -normalize(direction);
             vec3 emission = sceneEmission(s, toOrigin);

@@ -13,7 +13,7 @@ layout(set = 1, binding = 1, scalar) readonly buffer SceneInstances { RsInstance
 layout(set = 1, binding = 2, scalar) readonly buffer SceneMaterials { RsMaterial sceneMaterials[]; };
 // Rows of last frame's worldFromObject, three for each record.
 layout(set = 1, binding = 4, scalar) readonly buffer ScenePreviousTransforms { vec4 scenePreviousTransforms[]; };
-layout(set = 1, binding = 5) uniform sampler2D sceneTextures[];
+layout(set = 1, binding = 6) uniform sampler2D sceneTextures[];   // 5: sky.glsl
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vectors { vec3 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Coordinates { vec2 at[]; };

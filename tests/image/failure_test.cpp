@@ -154,9 +154,7 @@ TEST_F(Failure, OfEveryCallInALife) {
         const auto context = restir::Context::create(desc);
         ASSERT_TRUE(context);
         const uint32_t creation = faults::calls();
-        failEach(creation, [&] {
-            return !made([&] { return restir::Context::create(desc); }, 1);
-        });
+        failEach(creation, [&] { return !made([&] { return restir::Context::create(desc); }, 1); });
         faults::reset();
         refusals = 0;
         const samples::FloatImage expected = life(*context);
@@ -179,6 +177,27 @@ TEST_F(Failure, OfEveryCallInALife) {
     }
     std::printf("%u calls failed\n", sum.failed);
     EXPECT_EQ(rows.size(), kNamed.size());
+}
+
+// No timings, no complaint, the same picture.
+TEST_F(Failure, DeviceWithoutTimestamps) {
+    std::vector<float> pictures[2];
+    for (auto& picture : pictures) {
+        const auto context = restir::Context::create(desc);
+        ASSERT_TRUE(context);
+        const auto set = restir::Scene::create(*context, {.instances = scene->instances(),
+                                                          .materials = scene->materials(),
+                                                          .textures = scene->textures()});
+        auto lights = restir::LightTable::create(*context, {.maxLights = scene->maxLights()});
+        auto session = restir::Session::create(*context, {.maxExtent = kExtent});
+        ASSERT_TRUE(set && lights && session);
+        picture = render(*session, *set, *lights, 0, kExtent).rgb;
+        EXPECT_EQ(session->timings(0).empty(), &picture == &pictures[1]);
+        faults::hideTimestamps();
+    }
+    EXPECT_EQ(pictures[0], pictures[1]);
+    EXPECT_EQ(messages, "");
+    EXPECT_EQ(faults::live(), "");
 }
 
 // A loader or device without one of the functions: the message names it.

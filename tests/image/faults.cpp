@@ -15,7 +15,7 @@ struct State {
     uint32_t calls = 0, lookups = 0, strangers = 0;
     uint32_t failingCall = ~0u, failingLookup = ~0u;
     VkResult result = VK_SUCCESS;
-    bool namesFail = false;
+    bool namesFail = false, timestampsHidden = false;
     std::string failed;
 };
 State state;
@@ -125,6 +125,13 @@ VKAPI_ATTR VkResult VKAPI_CALL vkSetDebugUtilsObjectNameEXT(VkDevice device,
     return state.namesFail ? VK_ERROR_OUT_OF_HOST_MEMORY : realSetName(device, info);
 }
 
+VKAPI_ATTR void VKAPI_CALL getQueueFamilies(VkPhysicalDevice physical, uint32_t* count,
+                                            VkQueueFamilyProperties* families) {
+    ::vkGetPhysicalDeviceQueueFamilyProperties(physical, count, families);
+    for (uint32_t i = 0; families && state.timestampsHidden && i < *count; ++i)
+        families[i].timestampValidBits = 0;
+}
+
 bool isHidden(const char* name) {
     if (state.lookups++ != state.failingLookup) return false;
     state.failed = name;
@@ -168,6 +175,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance instance
     if (isHidden(name)) return nullptr;
     if (!std::strcmp(name, "vkGetDeviceProcAddr"))
         return reinterpret_cast<PFN_vkVoidFunction>(getDeviceProcAddr);
+    if (!std::strcmp(name, "vkGetPhysicalDeviceQueueFamilyProperties"))
+        return reinterpret_cast<PFN_vkVoidFunction>(getQueueFamilies);
     return ::vkGetInstanceProcAddr(instance, name);
 }
 
@@ -183,6 +192,7 @@ void failCallAfter(uint32_t calls, VkResult result) {
     state.failingCall = state.calls + calls;
     state.result = result;
 }
+void hideTimestamps() { state.timestampsHidden = true; }
 void failNames() { state.namesFail = true; }
 void failLookupAfter(uint32_t lookups) { state.failingLookup = state.lookups + lookups; }
 uint32_t calls() { return state.calls; }

@@ -17,6 +17,7 @@ void reset();
 // The call after `calls` more ones fails, once, with undefined (poisoned) results.
 void failCallAfter(uint32_t calls, VkResult result);
 void failNames();   // every vkSetDebugUtilsObjectNameEXT from now on; not one of the calls counted
+void hideTimestamps();   // until reset(): no queue has any
 // The look-up of a function after so many more ones finds nothing, once.
 void failLookupAfter(uint32_t lookups);
 

@@ -32,8 +32,8 @@ RS_SHARED_END
 #define RS_TABLE_BIND_BLOCKS 5     // uvec4 a block: sums, then what the blocks before it sum up to
 #define RS_TABLE_BIND_COUNT 6
 
-#define RS_TABLE_GROUP 256u
-#define RS_TABLE_ITEMS 4u          // of an invocation
+#define RS_TABLE_GROUP 128u         // what every device has
+#define RS_TABLE_ITEMS 8u          // of an invocation
 #define RS_TABLE_BLOCK 1024u       // of a workgroup; 1024 blocks, which one workgroup sums up, are 2^20 columns
 
 #endif

@@ -8,7 +8,7 @@
 namespace proof {
 namespace {
 
-constexpr double kMeanSquareLow = 0.8, kMeanSquareHigh = 1.2;   // never a sign of bias within
+constexpr double kMeanSquareLow = 0.8, kMeanSquareHigh = 1.2;   // within: no sign of bias; outside: none of its absence
 
 // `value` over its mean 1 with standard deviation `spread`, as a normal variable: chi-square with 2 /
 // spread^2 degrees, whose cube root is nearly normal (Wilson & Hilferty 1931).
@@ -57,7 +57,7 @@ Judgement judge(const Agreement& agreement, double freedom, const Bounds& bounds
     result.sequencesNeeded = 25 * agreement.skewness * agreement.skewness;
     const bool enough = freedom + 1 >= result.sequencesNeeded;
     if (enough && far) result.verdict = Verdict::Biased;
-    if (enough && !far && agreement.halfWidth <= bounds.halfWidth) result.verdict = Verdict::Unbiased;
+    if (enough && plain && !far && agreement.halfWidth <= bounds.halfWidth) result.verdict = Verdict::Unbiased;
     return result;
 }
 

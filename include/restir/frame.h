@@ -75,7 +75,9 @@ struct GBuffer {
 
 // Where results go: storage images in VK_IMAGE_LAYOUT_GENERAL, written without format.
 struct Output {
-    VkImageView radiance = VK_NULL_HANDLE;   // emission plus reflected direct light, times exposure; w = 1
+    // Emission plus reflected light, times exposure; w = 1. With indirect light a channel may be below 0 by what its random
+    // rounding and the unbiased split of glossy paths take: clamp after averaging, not before.
+    VkImageView radiance = VK_NULL_HANDLE;
     // Optional, for denoisers: reflected direct light in two lobes, each over a factor of its surface, times exposure;
     // w the distance of the lights in metres, the mean weighted by what each contributes to the luminance of rgb.
     // Lights at infinity count as 65,504 m, w is 0 where rgb is. With the standard materials, in exact arithmetic,

@@ -12,6 +12,8 @@ struct SessionDesc {
     // The most DiSettings::neighbours of a frame with DiSettings::pairedNeighbours, at most 16; 0: no such frames. Takes
     // 4 (n / 2 + 1) bytes a pixel, n / 2 rounded down, and limits maxExtent where that is more than 16.
     uint32_t pairedNeighbours = 0;
+    // Frames may have GiSettings::mode Restir. Takes 64 bytes a pixel.
+    bool indirect = false;
     // Measuring only: frames with Settings::counters keep up to so many rays (32 bytes each) in rayLog().
     uint32_t rayLogCapacity = 0;
 };
@@ -47,6 +49,8 @@ enum class Resource : uint8_t {
     ReservoirsA,
     ReservoirsB,
     Notes,   // of di.pair_targets for di.pair_spatial
+    GiReservoirsA,
+    GiReservoirsB,
     Outputs,
     GradientOutput,
     DebugOutput,
@@ -58,7 +62,7 @@ struct PassInfo {
     uint32_t groups[3] = {0, 0, 0};
     uint32_t source = 0, target = 0;   // reservoir buffer read and written: 0 is A, 1 is B
     uint32_t index = 0;                // among passes of the same name
-    bool shades = false;               // writes the outputs
+    bool shades = false;               // adds what it found to the picture: di.* write the outputs, gi.* what those begin with
     struct Use {
         Resource resource = Resource::HostImages;
         Access access = Access::Read;

@@ -25,6 +25,7 @@ enum class VisibilityReuse : uint8_t {
 enum class DirectMode : uint8_t {
     Restir,      // reservoirs
     NextEvent,   // plain next-event estimation: `lightCandidates` lights, a ray each; what ReSTIR is measured against
+    Off,         // no direct light: what surfaces emit, and indirect light
 };
 
 struct DiSettings {
@@ -63,6 +64,34 @@ struct DiSettings {
     // [0, 1] after temporal reuse no pixel's sample brings more than 4 / boilingFilter times the mean of the others of
     // its 8x8 tile: less boiling and less error, biased towards darkness. 0: off.
     float boilingFilter = 0;
+};
+
+enum class IndirectMode : uint8_t {
+    Off,      // direct light only
+    Path,     // plain path tracing, one path a pixel and frame: what reuse is measured against
+    Restir,   // reservoirs of paths; needs SessionDesc::indirect
+};
+
+// Indirect light: light scattered at least twice (Ouyang et al. 2021). One path a pixel is traced, and its second vertex
+// reused. Radiance has it all; Output's lobes, gradient and debug views go on showing direct light.
+struct GiSettings {
+    IndirectMode mode = IndirectMode::Off;
+    uint32_t bounces = 3;           // [2, 64] scattering events of a path at most, the visible surface's among them
+    uint32_t lightCandidates = 4;   // [1, 65536] lights tried at each vertex behind that; one of them gets a shadow ray
+    bool temporal = true;
+    // [0, 1000] frames a temporal reservoir may stand for. Light that changes is followed as late as that: what a path saw
+    // behind its second vertex is not looked at again.
+    uint32_t maxHistory = 20;
+    uint32_t spatialPasses = 1;   // [0, 8]
+    uint32_t neighbours = 5;      // [1, 16] per spatial pass
+    float radius = 30.0f;         // pixels, > 0
+    float normalThreshold = 0.9f;   // as in DiSettings
+    float depthThreshold = 0.1f;
+    Weights weights = Weights::Pairwise;
+    // Cached or Traced, as in DiSettings. None does not exist: every path is traced, so a reservoir never holds what
+    // its pixel does not see.
+    VisibilityReuse visibility = VisibilityReuse::Traced;
+    bool averageShading = true;   // as in DiSettings
 };
 
 // Where to start from, each measured against the others and against the truth in the README.
@@ -115,6 +144,7 @@ enum class DebugView : uint8_t {
 
 struct Settings {
     DiSettings di;
+    GiSettings gi;
     DebugView debugView = DebugView::None;   // other than None: one more pass; needs Output::debug and DirectMode::Restir
     bool counters = false;   // sum up rays and rejected weights (Session::counters); costs atomics
 };

@@ -17,6 +17,7 @@ PassInfo shade(uint32_t buffer) noexcept;
 PassInfo fill(uint32_t buffer) noexcept;   // with a checkerboard: the pixels that `buffer` has nothing for
 PassInfo gradient(uint32_t history, uint32_t current) noexcept;   // before spatial reuse overwrites `history`
 PassInfo nextEvent() noexcept;
+PassInfo off() noexcept;   // writes the outputs without direct light
 PassInfo debug(uint32_t buffer, uint32_t lastSpatial) noexcept;   // shows `buffer`, and whom that spatial pass asked
 
 }   // namespace restir::di

@@ -38,31 +38,58 @@ Status checkCamera(const MessageSink& sink, const Camera& camera) noexcept {
     return Status::Ok;
 }
 
-Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
-    auto range = [&](const char* name, uint32_t value, uint32_t low, uint32_t high) {
+// Refuses numbers outside their ranges; `of` is the struct they are fields of.
+struct RangeCheck {
+    const MessageSink& sink;
+    const char* of;
+
+    Status within(const char* name, uint32_t value, uint32_t low, uint32_t high) const noexcept {
         return value >= low && value <= high
                    ? Status::Ok
-                   : refuse(sink, "restir: DiSettings::%s is %u, must be in [%u, %u]", name, value, low, high);
-    };
-    if (Status s = range("lightCandidates", di.lightCandidates, 1, 65536); s != Status::Ok) return s;
-    if (Status s = range("initialSamples", di.initialSamples, 1, 8); s != Status::Ok) return s;
-    if (Status s = range("cutSamples", di.cutSamples, 1, 8); s != Status::Ok) return s;
-    if (Status s = range("bsdfCandidates", di.bsdfCandidates, 0, 8); s != Status::Ok) return s;
-    if (Status s = range("maxHistory", di.maxHistory, 0, 1000); s != Status::Ok) return s;
-    if (Status s = range("spatialPasses", di.spatialPasses, 0, kMaxSpatialPasses); s != Status::Ok) return s;
-    if (Status s = range("neighbours", di.neighbours, 1, kMaxNeighbours); s != Status::Ok) return s;
-    if (!(di.radius > 0 && di.radius <= 1e4f))
-        return refuse(sink, "restir: DiSettings::radius is %g, must be in (0, 10000]", double(di.radius));
-    if (!(di.normalThreshold >= -1 && di.normalThreshold <= 1))
-        return refuse(sink, "restir: DiSettings::normalThreshold is %g, must be in [-1, 1]", double(di.normalThreshold));
-    if (!(di.depthThreshold > 0)) return refuse(sink, "restir: DiSettings::depthThreshold is %g, must be > 0",
-                                                double(di.depthThreshold));
+                   : refuse(sink, "restir: %s::%s is %u, must be in [%u, %u]", of, name, value, low, high);
+    }
+    // What any kind of reuse has.
+    template <class S>
+    Status reuse(const S& s) const noexcept {
+        if (Status status = within("lightCandidates", s.lightCandidates, 1, 65536); status != Status::Ok) return status;
+        if (Status status = within("maxHistory", s.maxHistory, 0, 1000); status != Status::Ok) return status;
+        if (Status status = within("spatialPasses", s.spatialPasses, 0, kMaxSpatialPasses); status != Status::Ok)
+            return status;
+        if (Status status = within("neighbours", s.neighbours, 1, kMaxNeighbours); status != Status::Ok) return status;
+        if (!(s.radius > 0 && s.radius <= 1e4f))
+            return refuse(sink, "restir: %s::radius is %g, must be in (0, 10000]", of, double(s.radius));
+        if (!(s.normalThreshold >= -1 && s.normalThreshold <= 1))
+            return refuse(sink, "restir: %s::normalThreshold is %g, must be in [-1, 1]", of, double(s.normalThreshold));
+        if (!(s.depthThreshold > 0))
+            return refuse(sink, "restir: %s::depthThreshold is %g, must be > 0", of, double(s.depthThreshold));
+        if (s.weights > Weights::PairwisePlain) return refuse(sink, "restir: %s::weights is %d", of, int(s.weights));
+        if (s.visibility > VisibilityReuse::Traced)
+            return refuse(sink, "restir: %s::visibility is %d", of, int(s.visibility));
+        return Status::Ok;
+    }
+};
+
+Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
+    const RangeCheck check{sink, "DiSettings"};
+    if (Status s = check.reuse(di); s != Status::Ok) return s;
+    if (Status s = check.within("initialSamples", di.initialSamples, 1, 8); s != Status::Ok) return s;
+    if (Status s = check.within("cutSamples", di.cutSamples, 1, 8); s != Status::Ok) return s;
+    if (Status s = check.within("bsdfCandidates", di.bsdfCandidates, 0, 8); s != Status::Ok) return s;
     if (!(di.boilingFilter >= 0 && di.boilingFilter <= 1))
         return refuse(sink, "restir: DiSettings::boilingFilter is %g, must be in [0, 1]", double(di.boilingFilter));
-    if (di.mode > DirectMode::NextEvent) return refuse(sink, "restir: DiSettings::mode is %d", int(di.mode));
-    if (di.weights > Weights::PairwisePlain) return refuse(sink, "restir: DiSettings::weights is %d", int(di.weights));
-    if (di.visibility > VisibilityReuse::Traced)
-        return refuse(sink, "restir: DiSettings::visibility is %d", int(di.visibility));
+    if (di.mode > DirectMode::Off) return refuse(sink, "restir: DiSettings::mode is %d", int(di.mode));
+    return Status::Ok;
+}
+
+Status checkSettings(const MessageSink& sink, const GiSettings& gi, const SessionDesc& desc) noexcept {
+    const RangeCheck check{sink, "GiSettings"};
+    if (gi.mode > IndirectMode::Restir) return refuse(sink, "restir: GiSettings::mode is %d", int(gi.mode));
+    if (gi.mode == IndirectMode::Restir && !desc.indirect)
+        return refuse(sink, "restir: GiSettings::mode is Restir, SessionDesc::indirect is false");
+    if (Status s = check.reuse(gi); s != Status::Ok) return s;
+    if (Status s = check.within("bounces", gi.bounces, 2, 64); s != Status::Ok) return s;
+    if (gi.visibility == VisibilityReuse::None)
+        return refuse(sink, "restir: GiSettings::visibility is None, must be Cached or Traced: every path is traced");
     return Status::Ok;
 }
 
@@ -136,6 +163,7 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
     if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
     if (Status status = checkDebug(sink, frame, settings); status != Status::Ok) return status;
     if (Status status = checkSettings(sink, settings.di); status != Status::Ok) return status;
+    if (Status status = checkSettings(sink, settings.gi, s.desc); status != Status::Ok) return status;
     if (settings.di.pairedNeighbours && settings.di.neighbours > s.desc.pairedNeighbours)
         return refuse(
             sink,
@@ -145,9 +173,14 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
 }
 
 bool historyUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
-    if (!s.history.valid || frame.resetHistory || s.history.visibility != settings.di.visibility) return false;
+    if (!s.history.direct || frame.resetHistory || s.history.visibility != settings.di.visibility) return false;
     const LightTable::Impl& lights = Internals::of(*frame.lights);
     return s.history.lights == lights.serial && lights.generation - s.history.lightGeneration <= 1;
+}
+
+// Paths name no lights.
+bool giHistoryUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+    return s.history.indirect && !frame.resetHistory && s.history.giVisibility == settings.gi.visibility;
 }
 
 }   // namespace restir

@@ -13,4 +13,6 @@ Status checkFrame(const Session::Impl& session, const FrameInput& frame, const S
 // that depend on it, and the other way round.
 bool historyUsable(const Session::Impl& session, const FrameInput& frame, const Settings& settings) noexcept;
 
+bool giHistoryUsable(const Session::Impl& session, const FrameInput& frame, const Settings& settings) noexcept;
+
 }   // namespace restir

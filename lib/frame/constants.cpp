@@ -31,6 +31,7 @@ uint32_t flagsOf(const FrameInput& frame, const Settings& settings, bool history
     if (frame.output.diffuse) flags |= RS_FRAME_DIFFUSE;
     if (frame.output.specular) flags |= RS_FRAME_SPECULAR;
     if (settings.counters) flags |= RS_FRAME_COUNT;
+    if (settings.gi.mode != IndirectMode::Off) flags |= RS_FRAME_INDIRECT;
     return flags;
 }
 
@@ -66,6 +67,18 @@ gpu::RsDiConstants diConstants(const DiSettings& di, bool history, uint32_t fiel
             .field = field};
 }
 
+gpu::RsDiConstants giConstants(const GiSettings& gi) noexcept {
+    return {.lightCandidates = gi.lightCandidates,
+            .maxHistory = gi.maxHistory,
+            .neighbours = gi.neighbours,
+            .radius = gi.radius,
+            .normalThreshold = gi.normalThreshold,
+            .depthThreshold = gi.depthThreshold,
+            .weights = uint32_t(gi.weights),
+            .visibility = uint32_t(gi.visibility),
+            .freshConfidence = 1};
+}
+
 }   // namespace
 
 gpu::RsView makeView(const Camera& camera, VkExtent2D extent) noexcept {
@@ -92,15 +105,16 @@ gpu::RsView makeView(const Camera& camera, VkExtent2D extent) noexcept {
 }
 
 gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, const Settings& settings,
-                           bool history) noexcept {
+                           bool history, bool giHistory) noexcept {
     const LightTable::Impl& lights = Internals::of(*frame.lights);
     const bool lightsChanged = history && lights.generation != s.history.lightGeneration;
     const GBuffer& g = frame.gbuffer;
     gpu::RsFrame c{};
     c.view = makeView(frame.camera, frame.extent);
-    c.previousView = history ? s.history.view : c.view;
+    const bool past = history || giHistory;
+    c.previousView = past ? s.history.view : c.view;
     c.extent = {frame.extent.width, frame.extent.height};
-    c.previousExtent = history ? gpu::uvec2{s.history.extent.width, s.history.extent.height} : c.extent;
+    c.previousExtent = past ? gpu::uvec2{s.history.extent.width, s.history.extent.height} : c.extent;
     c.gbufferOrigin = {uint32_t(g.origin.x), uint32_t(g.origin.y)};
     c.outputOrigin = {uint32_t(frame.output.origin.x), uint32_t(frame.output.origin.y)};
     c.seed = seedOf(frame.frameIndex, frame.seed);
@@ -119,6 +133,8 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.di = diConstants(settings.di, history, fieldOf(s, frame, settings, history));
     c.di.previousField = history ? s.history.field : 0;
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
+    c.gi = giConstants(settings.gi);
+    c.giBounces = settings.gi.bounces;
     return c;
 }
 

@@ -7,6 +7,6 @@ namespace restir {
 
 gpu::RsView makeView(const Camera& camera, VkExtent2D extent) noexcept;
 gpu::RsFrame makeConstants(const Session::Impl& session, const FrameInput& frame, const Settings& settings,
-                           bool history) noexcept;
+                           bool history, bool giHistory) noexcept;
 
 }   // namespace restir

@@ -25,7 +25,7 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 21> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 26> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatiotemporal"},
@@ -38,6 +38,11 @@ struct Context::Impl {
                                        {"di.gradient"},
                                        {"di.debug"},
                                        {"di.next_event"},
+                                       {"di.off"},
+                                       {"gi.candidates"},
+                                       {"gi.temporal"},
+                                       {"gi.spatial"},
+                                       {"gi.shade"},
                                        {"lights.extent"},
                                        {"lights.power"},
                                        {"lights.sum"},

@@ -45,7 +45,7 @@ private:
         return writes_[count_];
     }
 
-    static constexpr uint32_t kMax = RS_BIND_COUNT + 1;   // the reservoirs are two
+    static constexpr uint32_t kMax = RS_BIND_COUNT + 4;   // the reservoirs are two, those of indirect light four
     VkDescriptorSet set_;
     uint32_t count_ = 0;
     VkWriteDescriptorSet writes_[kMax];
@@ -78,6 +78,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.buffer(RS_BIND_RAY_LOG, s.buffer(RayLog));
     w.buffer(RS_BIND_NOTES, s.buffer(Notes));
     w.buffer(RS_BIND_ENVIRONMENT, lights.environment.buffer());
+    for (uint32_t i = 0; i < 4; ++i) w.buffer(RS_BIND_GI_RESERVOIRS, s.buffer(GiReservoirs0, i), i);
     const GBuffer& g = frame.gbuffer;
     w.image(RS_BIND_DEPTH, g.depth.view, g.depth.layout);
     w.image(RS_BIND_NORMAL, g.normal.view, g.normal.layout);

@@ -16,7 +16,9 @@ constexpr VkDescriptorType bindingType(uint32_t binding) noexcept {
     }
 }
 
-constexpr uint32_t bindingCount(uint32_t binding) noexcept { return binding == RS_BIND_RESERVOIRS ? 2 : 1; }
+constexpr uint32_t bindingCount(uint32_t binding) noexcept {
+    return binding == RS_BIND_RESERVOIRS ? 2 : binding == RS_BIND_GI_RESERVOIRS ? 4 : 1;
+}
 
 // Fills all layouts of the Context.
 Result<bool> makeLayouts(Context::Impl& context, VkDescriptorSetLayout bridge) noexcept;

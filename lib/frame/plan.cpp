@@ -1,19 +1,109 @@
 #include <frame/plan.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <di/stages.h>
 #include <frame/pass.h>
+#include <gi/stages.h>
 #include <surface/stages.h>
 
 namespace restir {
 namespace {
 
 // Whether a pass can shade the mean of what it combines.
-bool averagesInputs(const DiSettings& di) noexcept {
-    return di.averageShading && di.visibility == VisibilityReuse::Traced && di.weights != Weights::Basic &&
-           di.weights != Weights::Balance;
+bool averages(bool wanted, VisibilityReuse visibility, Weights weights) noexcept {
+    return wanted && visibility == VisibilityReuse::Traced && weights != Weights::Basic && weights != Weights::Balance;
 }
+
+class Planner {
+public:
+    Planner(const PlanInput& input, const Settings& settings) noexcept
+        : input_(input), settings_(settings), checkerboard_(alternates(input.extent, settings.di)) {}
+
+    Plan run() {
+        add(surface::pack());
+        if (settings_.gi.mode != IndirectMode::Off) indirect();
+        else plan_.giHistoryOut = input_.giHistoryIn;
+        direct();
+        return std::move(plan_);
+    }
+
+private:
+    void add(PassInfo pass, bool half = false) {
+        const uint32_t width = half ? (input_.extent.width + 1) / 2 : input_.extent.width;
+        pass.groups[0] = (width + 7) / 8;
+        pass.groups[1] = (input_.extent.height + 7) / 8;
+        pass.groups[2] = 1;
+        plan_.passes.push_back(pass);
+    }
+    // A stage of direct light: on all pixels, or on this frame's half of them.
+    void addDirect(PassInfo pass) {
+        if (checkerboard_ && pass.shades) addUse(pass, {Resource::Surfaces, Access::ReadWrite});   // for di.fill
+        add(pass, checkerboard_);
+    }
+
+    void indirect() {
+        const GiSettings& gi = settings_.gi;
+        plan_.giHistoryOut = input_.giHistoryIn;
+        if (gi.mode == IndirectMode::Path) return add(gi::path());
+        uint32_t current = 1 - input_.giHistoryIn;
+        add(gi::candidates(current));
+        if (gi.temporal && input_.giHistory) add(gi::temporal(input_.giHistoryIn, current));
+        const bool means = averages(gi.averageShading, gi.visibility, gi.weights) && gi.spatialPasses > 0;
+        for (uint32_t i = 0; i < gi.spatialPasses; ++i) {
+            add(gi::spatial(current, 1 - current, i, means && i + 1 == gi.spatialPasses));
+            current = 1 - current;
+        }
+        if (!means) add(gi::shade(current));
+        plan_.giHistoryOut = current;
+    }
+
+    void direct() {
+        const DiSettings& di = settings_.di;
+        plan_.historyOut = input_.historyIn;
+        if (di.mode == DirectMode::Off) return add(di::off());
+        if (di.mode == DirectMode::NextEvent) return addDirect(di::nextEvent());
+        const uint32_t history = input_.historyIn;
+        uint32_t current = 1 - history;
+        addDirect(di::candidates(current));
+        const bool remembers = di.temporal && input_.history;
+        const bool fused = di.fused && remembers && di.spatialPasses > 0;
+        const bool filters = remembers && di.boilingFilter > 0;
+        const uint32_t spatialPasses = di.spatialPasses - (fused ? 1 : 0);
+        // A filtered reservoir is shaded after the filter.
+        const bool means = averages(di.averageShading, di.visibility, di.weights) &&
+                           (spatialPasses > 0 || (fused && !filters));
+        if (fused) addDirect(di::spatiotemporal(history, current, means && spatialPasses == 0));
+        else if (remembers) addDirect(di::temporal(history, current));
+        if (filters) addDirect(di::boiling(current));
+        if (input_.gradient) addDirect(di::gradient(history, current));
+        current = spatial(current, spatialPasses, means);
+        if (!means) addDirect(di::shade(current));
+        if (checkerboard_) addDirect(di::fill(current));
+        if (settings_.debugView != DebugView::None) add(di::debug(current, std::max(spatialPasses, 1u) - 1));
+        plan_.historyOut = current;
+    }
+
+    uint32_t spatial(uint32_t current, uint32_t passes, bool means) {
+        const DiSettings& di = settings_.di;
+        const bool paired =
+            di.pairedNeighbours && (di.weights == Weights::Pairwise || di.weights == Weights::PairwisePlain);
+        for (uint32_t i = 0; i < passes; ++i) {
+            const bool shades = means && i + 1 == passes;
+            if (paired) addDirect(di::pairTargets(current, i));
+            addDirect(paired ? di::pairSpatial(current, 1 - current, i, shades)
+                             : di::spatial(current, 1 - current, i, shades));
+            current = 1 - current;
+        }
+        return current;
+    }
+
+    const PlanInput& input_;
+    const Settings& settings_;
+    bool checkerboard_;
+    Plan plan_;
+};
 
 }   // namespace
 
@@ -21,55 +111,7 @@ bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept {
     return settings.checkerboard && settings.mode == DirectMode::Restir && extent.width > 1;
 }
 
-Plan makePlan(const PlanInput& input, const Settings& settings) {
-    Plan plan;
-    const DiSettings& di = settings.di;
-    const bool checkerboard = alternates(input.extent, di);
-    auto addOver = [&](uint32_t width, PassInfo pass) {
-        pass.groups[0] = (width + 7) / 8;
-        pass.groups[1] = (input.extent.height + 7) / 8;
-        pass.groups[2] = 1;
-        if (checkerboard && pass.shades) addUse(pass, {Resource::Surfaces, Access::ReadWrite});   // for di.fill
-        plan.passes.push_back(pass);
-    };
-    const uint32_t width = input.extent.width;
-    auto add = [&](const PassInfo& pass) { addOver(checkerboard ? (width + 1) / 2 : width, pass); };
-
-    addOver(width, surface::pack());
-    if (di.mode == DirectMode::NextEvent) {
-        add(di::nextEvent());
-        plan.historyOut = input.historyIn;
-        return plan;
-    }
-    const uint32_t history = input.historyIn;
-    uint32_t current = 1 - history;
-    add(di::candidates(current));
-    const bool remembers = di.temporal && input.history;
-    const bool fused = di.fused && remembers && di.spatialPasses > 0;
-    const bool filters = remembers && di.boilingFilter > 0;
-    const uint32_t spatialPasses = di.spatialPasses - (fused ? 1 : 0);
-    // A filtered reservoir is shaded after the filter.
-    const bool averages = averagesInputs(di) && (spatialPasses > 0 || (fused && !filters));
-    if (fused) add(di::spatiotemporal(history, current, averages && spatialPasses == 0));
-    else if (remembers) add(di::temporal(history, current));
-    if (filters) add(di::boiling(current));
-    if (input.gradient) add(di::gradient(history, current));
-    const bool paired =
-        di.pairedNeighbours && (di.weights == Weights::Pairwise || di.weights == Weights::PairwisePlain);
-    for (uint32_t i = 0; i < spatialPasses; ++i) {
-        const bool shades = averages && i + 1 == spatialPasses;
-        if (paired) add(di::pairTargets(current, i));
-        add(paired ? di::pairSpatial(current, 1 - current, i, shades)
-                   : di::spatial(current, 1 - current, i, shades));
-        current = 1 - current;
-    }
-    if (!averages) add(di::shade(current));
-    if (checkerboard) add(di::fill(current));
-    if (settings.debugView != DebugView::None)
-        addOver(width, di::debug(current, std::max(spatialPasses, 1u) - 1));
-    plan.historyOut = current;
-    return plan;
-}
+Plan makePlan(const PlanInput& input, const Settings& settings) { return Planner(input, settings).run(); }
 
 bool Hazards::conflicts(const PassInfo& pass) const noexcept {
     for (const PassInfo::Use& use : pass.uses()) {

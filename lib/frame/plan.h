@@ -12,11 +12,13 @@ struct PlanInput {
     bool history = false;    // the previous frame's surfaces and reservoirs are valid
     uint32_t historyIn = 0;  // reservoir buffer (0 or 1) that holds them
     bool gradient = false;   // Output::gradient is asked for
+    bool giHistory = false;   // as `history` and `historyIn`, of indirect light
+    uint32_t giHistoryIn = 0;
 };
 
 struct Plan {
     std::vector<PassInfo> passes;
-    uint32_t historyOut = 0;   // reservoir buffer that holds this frame's result
+    uint32_t historyOut = 0, giHistoryOut = 0;   // reservoir buffers that hold this frame's results
 };
 
 // Whether frames of this extent light half of their pixels. A column alone has no others to be filled from.

@@ -94,7 +94,7 @@ Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame,
     const bool history = historyUsable(s, frame, settings);
     const uint32_t surfaces = 1 - s.history.surfaces;
 
-    const gpu::RsFrame constants = makeConstants(s, frame, settings, history);
+    const gpu::RsFrame constants = makeConstants(s, frame, settings, history, giHistoryUsable(s, frame, settings));
     std::memcpy(s.buffers.mapped<uint8_t>(s.constantsOf(frame.frameSlot)), &constants, sizeof constants);
     const bool sameLights = !history || lights.generation == s.history.lightGeneration;
     writeDescriptors(s, frame, surfaces, sameLights ? lights.current() : lights.previous());
@@ -103,15 +103,18 @@ Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame,
     s.preparedDone = 0;
     s.stopwatch.reset(frame.frameSlot);
     s.counted[frame.frameSlot] = settings.counters;
-    s.history = {.valid = settings.di.mode == DirectMode::Restir,
+    s.history = {.direct = settings.di.mode == DirectMode::Restir,
+                 .indirect = settings.gi.mode == IndirectMode::Restir,
                  .surfaces = surfaces,
                  .reservoirs = s.plan.historyOut,
+                 .giReservoirs = s.plan.giHistoryOut,
                  .extent = frame.extent,
                  .view = constants.view,
                  .lights = lights.serial,
                  .lightGeneration = lights.generation,
                  .field = constants.di.field,
-                 .visibility = settings.di.visibility};
+                 .visibility = settings.di.visibility,
+                 .giVisibility = settings.gi.visibility};
     return Status::Ok;
 }
 

@@ -13,6 +13,7 @@ namespace {
 // Bytes per pixel of each per-pixel stream; elements of at most 16 bytes keep 4K inside the storage buffer range that
 // Vulkan guarantees.
 constexpr VkDeviceSize kSurfaceBytes = 16, kMoreBytes = 8, kSurfaceFrameBytes = 8;
+constexpr VkDeviceSize kGiStreamBytes = sizeof(gpu::RsGiReservoir) / 2;
 
 // The targets of a pixel's own sample and of its partners', two bytes each, in whole words
 // (passes/notes.glsl).
@@ -81,6 +82,8 @@ std::vector<BufferRequest> sessionRequests(const Context::Impl& c, const Session
         {std::max(desc.rayLogCapacity, 1u) * sizeof(gpu::RsLoggedRay), counted, device, "ray log"},
         {std::max(pixels * noteBytes(desc), VkDeviceSize{4}), storage, device, "partners' targets"},
     };
+    for (const char* name : {"indirect vertices A", "indirect light A", "indirect vertices B", "indirect light B"})
+        requests.push_back({desc.indirect ? pixels * kGiStreamBytes : kGiStreamBytes, storage, device, name});
     for (uint32_t i = 0; i < c.framesInFlight; ++i) {
         requests.push_back(
             {sizeof(gpu::RsFrame), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::HostWrite, "frame constants"});
@@ -111,9 +114,11 @@ Result<Session> Session::create(const Context& context, const SessionDesc& desc)
     if (!buffers) return buffers.error();
     impl->buffers = std::move(*buffers);
     for (size_t i = 0; i < requests.size(); ++i) {
-        const bool notes = i == size_t(SessionBuffer::Notes) && desc.pairedNeighbours > 0;
+        const auto buffer = SessionBuffer(i);
+        const bool notes = buffer == SessionBuffer::Notes && desc.pairedNeighbours > 0;
+        const bool paths = buffer >= SessionBuffer::GiReservoirs0 && buffer <= SessionBuffer::GiReservoirs3 && desc.indirect;
         impl->report.push_back(
-            {requests[i].name, requests[i].size, i < size_t(SessionBuffer::Counters) || notes});
+            {requests[i].name, requests[i].size, buffer < SessionBuffer::Counters || notes || paths});
     }
     if (VkResult vk = makeSets(*impl); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "allocating the frames' descriptor sets failed", vk);
@@ -136,7 +141,9 @@ Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const S
     s.plan = makePlan({.extent = frame.extent,
                        .history = historyUsable(s, frame, settings),
                        .historyIn = s.history.reservoirs,
-                       .gradient = frame.output.gradient != VK_NULL_HANDLE},
+                       .gradient = frame.output.gradient != VK_NULL_HANDLE,
+                       .giHistory = giHistoryUsable(s, frame, settings),
+                       .giHistoryIn = s.history.giReservoirs},
                       settings);
     return std::span<const PassInfo>(s.plan.passes);
 }

@@ -9,6 +9,7 @@
 #include <frame/plan.h>
 #include <restir/session.h>
 #include <restir/shared/frame.h>
+#include <restir/shared/gi.h>
 
 namespace restir {
 
@@ -24,20 +25,24 @@ enum class SessionBuffer : size_t {
     Counters,
     RayLog,   // always there, so that the binding is: one ray where no log was asked for
     Notes,    // likewise: one word where pairedNeighbours is 0
+    GiReservoirs0,   // likewise; two streams each of A and of B
+    GiReservoirs1,
+    GiReservoirs2,
+    GiReservoirs3,
     FirstSlot,
 };
 
 // What the last recorded frame left behind.
 struct History {
-    bool valid = false;
+    bool direct = false, indirect = false;   // whether there are reservoirs of either
     uint32_t surfaces = 0;      // which of the two surface buffers holds it
-    uint32_t reservoirs = 0;    // which of the two reservoir buffers
+    uint32_t reservoirs = 0, giReservoirs = 0;   // which of the two reservoir buffers
     VkExtent2D extent = {0, 0};
     gpu::RsView view{};
     uint64_t lights = 0;   // serial of the table it was drawn from, and that table's generation
     uint64_t lightGeneration = 0;
     uint32_t field = 0;   // which pixels have reservoirs: restir/di/field.glsl
-    VisibilityReuse visibility = VisibilityReuse::None;   // whether its samples were killed
+    VisibilityReuse visibility = VisibilityReuse::None, giVisibility = VisibilityReuse::None;   // whether samples were killed
 };
 
 struct Session::Impl {
@@ -64,7 +69,7 @@ struct Session::Impl {
 
 inline constexpr uint32_t kMaxSpatialPasses = 8;
 inline constexpr uint32_t kMaxNeighbours = 16;
-inline constexpr uint32_t kMaxTimedPasses = 8 + 2 * kMaxSpatialPasses;
+inline constexpr uint32_t kMaxTimedPasses = 12 + 3 * kMaxSpatialPasses;
 
 std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
 

@@ -180,6 +180,7 @@ Agreement compare(const SeedStatistics& picture, const ReferenceBlocks& referenc
     for (size_t c = 0; c < 3; ++c) {
         result.channelRatio[c] = mean[c] / reference.channelMean[c] - 1;
         result.channelError[c] = std::hypot(error[c], reference.channelError[c]) / reference.channelMean[c];
+        result.ownError[c] = error[c] / reference.channelMean[c];
     }
     result.luminanceRatio = ratioOf(picture.luminanceMean(), reference.luminanceMean);
     const Estimate& ratio = result.luminanceRatio;
@@ -210,11 +211,12 @@ Agreement compare(const SeedStatistics& picture, const ReferenceBlocks& referenc
 
 void print(const char* what, const Agreement& a) {
     std::printf(
-        "%-40s  RGB %+.3f %+.3f %+.3f %% (s.e. %.3f %.3f %.3f)  %zu blocks: %.1f %% inside, median sigma "
+        "%-40s  RGB %+.3f %+.3f %+.3f %% (s.e. %.3f %.3f %.3f, own %.3f %.3f %.3f)  %zu blocks: %.1f %% inside, median sigma "
         "%.2f %%, "
         "mean z^2 %.2f +- %.2f, worst |z| %.1f\n",
         what, 100 * a.channelRatio[0], 100 * a.channelRatio[1], 100 * a.channelRatio[2],
-        100 * a.channelError[0], 100 * a.channelError[1], 100 * a.channelError[2], a.blocks,
+        100 * a.channelError[0], 100 * a.channelError[1], 100 * a.channelError[2], 100 * a.ownError[0],
+        100 * a.ownError[1], 100 * a.ownError[2], a.blocks,
         100 * a.fractionInside, 100 * a.medianSigma, a.meanSquareZ, a.meanSquareZSpread, a.worstZ);
     std::fflush(stdout);
 }

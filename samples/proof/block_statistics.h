@@ -79,6 +79,7 @@ ReferenceBlocks exactly(const samples::FloatImage& image);
 struct Agreement {
     std::array<double, 3> channelRatio{};   // picture / reference - 1
     std::array<double, 3> channelError{};   // standard error of it, both sides
+    std::array<double, 3> ownError{};       // the picture's share in that
     Estimate luminanceRatio;                // likewise
     double halfWidth = 0;                   // of the 95 % confidence interval of luminanceRatio
     double fractionInside = 0;              // of blocks within three sigma + 0.5 %

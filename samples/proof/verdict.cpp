@@ -8,7 +8,8 @@
 namespace proof {
 namespace {
 
-constexpr double kMeanSquareLow = 0.8, kMeanSquareHigh = 1.2;   // within: no sign of bias; outside: none of its absence
+constexpr double kMeanSquareLow = 0.8, kMeanSquareHigh = 1.2;   // never a sign of bias within
+constexpr double kSurprising = 3.29;   // of a normal variable once in a thousand: outside, no sign of its absence either
 
 // `value` over its mean 1 with standard deviation `spread`, as a normal variable: chi-square with 2 /
 // spread^2 degrees, whose cube root is nearly normal (Wilson & Hilferty 1931).
@@ -57,7 +58,8 @@ Judgement judge(const Agreement& agreement, double freedom, const Bounds& bounds
     result.sequencesNeeded = 25 * agreement.skewness * agreement.skewness;
     const bool enough = freedom + 1 >= result.sequencesNeeded;
     if (enough && far) result.verdict = Verdict::Biased;
-    if (enough && plain && !far && agreement.halfWidth <= bounds.halfWidth) result.verdict = Verdict::Unbiased;
+    const bool usual = plain || std::abs(result.meanSquareZ) <= kSurprising;
+    if (enough && usual && !far && agreement.halfWidth <= bounds.halfWidth) result.verdict = Verdict::Unbiased;
     return result;
 }
 

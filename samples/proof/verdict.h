@@ -6,7 +6,7 @@
 namespace proof {
 
 enum class Verdict {
-    Unbiased,   // every z inside the bound, mean z^2 in [0.8, 1.2], the confidence interval narrow enough
+    Unbiased,   // every z inside the bound, z^2 as it should be, the confidence interval narrow enough
     Open,       // not enough sequences to say either
     Biased,
 };

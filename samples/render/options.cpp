@@ -51,7 +51,8 @@ struct Texts {
 };
 
 const std::map<std::string, Mode> kModes = {
-    {"reference", Mode::Reference}, {"nee", Mode::NextEvent}, {"ris", Mode::Ris}, {"di", Mode::Di}};
+    {"reference", Mode::Reference}, {"nee", Mode::NextEvent}, {"ris", Mode::Ris},           {"di", Mode::Di},
+    {"gi", Mode::Gi},               {"gi-only", Mode::GiOnly}, {"pt-plain", Mode::PlainPath}};
 
 const std::map<std::string, restir::DebugView> kDebugViews = {
     {"age", restir::DebugView::Age},
@@ -129,8 +130,8 @@ void addEstimator(CLI::App& app, Options& options, Texts& texts) {
     addChoice(app, "--mode", options.mode, kModes, "estimator (di)");
     app.add_option("--spp", options.spp, "reference: paths, nee: lights, per pixel and frame")
         ->check(CLI::Range(1u, 65536u));
-    app.add_option("--bounces", options.bounces, "reference: scattering events (1)")
-        ->check(CLI::Range(0u, 64u));
+    app.add_option("--bounces", options.bounces, "scattering events of a path (reference: 1; gi, gi-only, pt-plain: 3)")
+        ->check(CLI::Range(1u, 64u));
     samples::addDiOptions(app, options.di);
     addChoice(app, "--debug", options.debug, kDebugViews,
               "show what the last frame's reservoirs hold: colours, and in the EXR's channel A numbers");
@@ -151,6 +152,39 @@ void applySize(Options& options, const std::string& text) {
     options.size = {size[0], size[1]};
 }
 
+// What says how direct light is reused holds for indirect light, too.
+void applyIndirect(Options& options) {
+    const bool indirect = options.mode == Mode::Gi || options.mode == Mode::GiOnly || options.mode == Mode::PlainPath;
+    if (options.mode == Mode::Reference && options.bounces == 0) options.bounces = 1;
+    if (!indirect) {
+        if (options.mode != Mode::Reference && options.bounces > 1)
+            throw std::runtime_error("--bounces: --mode " + options.modeName + " does not follow light further than one bounce");
+        return;
+    }
+    restir::GiSettings& gi = options.gi;
+    if (options.bounces == 1) throw std::runtime_error("--bounces: indirect light is scattered twice at least");
+    if (options.bounces > 0) gi.bounces = options.bounces;
+    const restir::DiSettings& di = options.di;
+    gi.mode = options.mode == Mode::PlainPath ? restir::IndirectMode::Path : restir::IndirectMode::Restir;
+    gi.weights = di.weights;
+    gi.visibility = di.visibility;
+    if (gi.visibility == restir::VisibilityReuse::None)
+        throw std::runtime_error("--visibility: 'none' does not exist for indirect light");
+    gi.temporal = di.temporal;
+    gi.maxHistory = di.maxHistory;
+    gi.spatialPasses = di.spatialPasses;
+    gi.neighbours = di.neighbours;
+    gi.radius = di.radius;
+    gi.normalThreshold = di.normalThreshold;
+    gi.depthThreshold = di.depthThreshold;
+    gi.averageShading = di.averageShading;
+    if (options.mode == Mode::GiOnly) options.di.mode = restir::DirectMode::Off;
+    if (options.mode == Mode::PlainPath) {   // direct light by one light a pixel, likewise
+        options.di.mode = restir::DirectMode::NextEvent;
+        options.di.lightCandidates = options.spp;
+    }
+}
+
 void applyMode(Options& options) {
     for (const auto& [name, mode] : kModes) {
         if (mode == options.mode) options.modeName = name;
@@ -168,10 +202,9 @@ void applyMode(Options& options) {
             throw std::runtime_error("--debug: only --mode di and ris have reservoirs to show");
         if (options.accumulate) throw std::runtime_error("--debug: shows one frame, not the mean of --accumulate");
     }
-    if (options.mode != Mode::Reference && options.bounces != 1) {
-        throw std::runtime_error("--bounces: only --mode reference follows light further than one bounce");
-    }
-    if (options.frames == 0) options.frames = options.mode == Mode::Di ? kSettlingFrames : 1;
+    applyIndirect(options);
+    const bool settles = options.mode == Mode::Di || options.gi.mode == restir::IndirectMode::Restir;
+    if (options.frames == 0) options.frames = settles ? kSettlingFrames : 1;
 }
 
 void applyCamera(Options& options, const Texts& texts) {

@@ -13,7 +13,7 @@
 
 namespace render {
 
-enum class Mode : uint8_t { Reference, NextEvent, Ris, Di };
+enum class Mode : uint8_t { Reference, NextEvent, Ris, Di, Gi, GiOnly, PlainPath };
 
 struct Options {
     std::string scene;
@@ -25,8 +25,9 @@ struct Options {
     std::string modeName = "di";
     uint32_t frames = 0;   // 0: as many as the mode needs to settle
     uint32_t spp = 1;
-    uint32_t bounces = 1;
+    uint32_t bounces = 0;   // 0: as many as the mode has by itself
     restir::DiSettings di;
+    restir::GiSettings gi;
     restir::DebugView debug = restir::DebugView::None;
     bool accumulate = false;
     bool lambert = false;

@@ -43,9 +43,11 @@ samples::FloatImage renderSdk(const Options& options, samples::Device& device, s
                               const samples::Sequence& sequence, Report& report) {
     restir::SessionDesc session;
     samples::declareFor(options.di, session);
+    session.indirect = options.gi.mode == restir::IndirectMode::Restir;
     samples::Renderer renderer(device, scene, options.size, session);
     restir::Settings settings;
     settings.di = options.di;
+    settings.gi = options.gi;
     settings.debugView = options.debug;
     samples::FloatImage image = renderer.render(sequence, settings, Progress(options.quiet));
     report.passes = renderer.stats().passes;

@@ -102,6 +102,15 @@ bool rsWantsLobes() {
     bool asked = (rsFrame.flags & (RS_FRAME_DIFFUSE | RS_FRAME_SPECULAR)) != 0u || rsFrame.di.field != RS_FIELD_ALL;
     return rsPass.shades != 0u && asked;
 }
+// What a pixel shines of itself: its emission, and indirect light as far as it has been added.
+vec3 rsLoadOwnLight(uvec2 pixel) {
+    uint bits = rsSurfacesFrame[rsIndex(pixel)].y;
+    return (rsFrame.flags & RS_FRAME_INDIRECT) != 0u ? rsUnpackSignedRadiance(bits) : rsUnpackRadiance(bits);
+}
+uint rsPackOwnLight(vec3 light, inout RsRandom random) {
+    if ((rsFrame.flags & RS_FRAME_INDIRECT) == 0u) return rsPackRadiance(light);
+    return rsPackSignedRadiance(light, vec3(rsNext2(random), rsNext(random)));
+}
 void rsOnRejectedWeight() {
     if ((rsFrame.flags & RS_FRAME_COUNT) != 0u) atomicAdd(rsCounters.rejectedWeights, 1u);
 }

@@ -23,8 +23,7 @@ RsLobes rsLoadLit(uvec2 pixel) {
 // Radiance contains what the surface emits, the lobes do not.
 void rsWriteOutputs(uvec2 pixel, RsShading shading) {
     ivec2 at = ivec2(pixel + rsFrame.outputOrigin);
-    vec3 emission = rsUnpackRadiance(rsSurfacesFrame[rsIndex(pixel)].y);
-    imageStore(rsRadianceImage, at, vec4((emission + shading.radiance) * rsFrame.exposure, 1.0));
+    imageStore(rsRadianceImage, at, vec4((rsLoadOwnLight(pixel) + shading.radiance) * rsFrame.exposure, 1.0));
     if ((rsFrame.flags & RS_FRAME_DIFFUSE) != 0u) imageStore(rsDiffuseImage, at, rsLobeOutput(shading.diffuse));
     if ((rsFrame.flags & RS_FRAME_SPECULAR) != 0u) imageStore(rsSpecularImage, at, rsLobeOutput(shading.specular));
     if (rsFrame.di.field != RS_FIELD_ALL) rsStoreLit(pixel, shading);

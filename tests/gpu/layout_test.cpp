@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include <restir/shared/frame.h>
+#include <restir/shared/gi.h>
 #include <restir/shared/light_table.h>
 #include <restir/shared/lights.h>
 #include <restir/shared/scene.h>
@@ -83,6 +84,7 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
 
 TEST_F(Layout, SizesThatMemoryBudgetsCountOn) {
     EXPECT_EQ(sizeof(RsReservoir), 16u);
+    EXPECT_EQ(sizeof(RsGiReservoir), 32u);
     EXPECT_EQ(sizeof(RsPackedLight), 16u * RS_LIGHT_STRIDE);
     EXPECT_EQ(sizeof(RsAliasEntry), 8u);
     EXPECT_EQ(sizeof(RsEnvironmentTexel), 12u);

@@ -12,7 +12,7 @@
 
 namespace tests {
 
-enum class Value : uint32_t { Packed, Reservoir, Projected, Surface, Faced };
+enum class Value : uint32_t { Packed, Reservoir, Projected, Surface, Faced, Light };
 
 // 16 words, as the shader reads and writes them.
 struct Record {

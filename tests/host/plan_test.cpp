@@ -43,6 +43,13 @@ std::vector<Settings> allSettings() {
         all.push_back({.di = {.checkerboard = true, .visibility = visibility}});
     all.push_back({.di = {.fused = true, .checkerboard = true}, .debugView = DebugView::Age});
     all.push_back({.di = {.mode = DirectMode::NextEvent}});
+    all.push_back({.di = {.mode = DirectMode::Off}});
+    for (auto direct : {DirectMode::Restir, DirectMode::Off})
+        for (uint32_t spatial : {0u, 1u, 2u})
+            for (bool average : {false, true})
+                all.push_back({.di = {.mode = direct},
+                               .gi = {.mode = IndirectMode::Restir, .spatialPasses = spatial, .averageShading = average}});
+    all.push_back({.gi = {.mode = IndirectMode::Path}});
     return all;
 }
 
@@ -51,7 +58,8 @@ std::vector<Plan> allPlans() {
     for (const Settings& settings : allSettings())
         for (bool history : {false, true})
             for (uint32_t in : {0u, 1u})
-                for (bool gradient : {false, true}) plans.push_back(makePlan({kExtent, history, in, gradient}, settings));
+                for (bool gradient : {false, true})
+                    plans.push_back(makePlan({kExtent, history, in, gradient, history, 1 - in}, settings));
     return plans;
 }
 
@@ -90,15 +98,21 @@ bool uses(const PassInfo& pass, Resource resource, bool writing) {
     return false;
 }
 
+bool isIndirect(const PassInfo& pass) { return std::string(pass.name).starts_with("gi."); }
+// "temporal" of "di.temporal".
+std::string stageOf(const PassInfo& pass) { return std::string(pass.name).substr(3); }
+
 bool readsHistory(const PassInfo& pass) {
-    return std::string(pass.name) == "di.temporal" || std::string(pass.name) == "di.spatiotemporal";
+    return stageOf(pass) == "temporal" || stageOf(pass) == "spatiotemporal";
 }
 
-Resource reservoirBuffer(uint32_t i) { return i == 0 ? Resource::ReservoirsA : Resource::ReservoirsB; }
-
-bool isSpatial(const PassInfo& pass) {
-    return std::string(pass.name) == "di.spatial" || std::string(pass.name) == "di.pair_spatial";
+Resource reservoirBuffer(uint32_t i, bool indirect = false) {
+    if (indirect) return i == 0 ? Resource::GiReservoirsA : Resource::GiReservoirsB;
+    return i == 0 ? Resource::ReservoirsA : Resource::ReservoirsB;
 }
+Resource reservoirBuffer(uint32_t i, const PassInfo& pass) { return reservoirBuffer(i, isIndirect(pass)); }
+
+bool isSpatial(const PassInfo& pass) { return stageOf(pass) == "spatial" || stageOf(pass) == "pair_spatial"; }
 
 TEST(Plan, OrderOfStages) {
     using Names = std::vector<std::string>;
@@ -138,6 +152,39 @@ TEST(Plan, OrderOfStages) {
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.fill"}));
     EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent, .checkerboard = true}}),
               (Names{"surface.pack", "di.next_event"}));
+}
+
+TEST(Plan, OrderOfIndirectStages) {
+    using Names = std::vector<std::string>;
+    const auto order = [](bool history, GiSettings gi) {
+        gi.mode = gi.mode == IndirectMode::Off ? IndirectMode::Restir : gi.mode;
+        return names(makePlan({kExtent, history, 0, false, history, 0}, {.di = {.mode = DirectMode::Off}, .gi = gi}));
+    };
+    EXPECT_EQ(order(true, {}), (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "di.off"}));
+    EXPECT_EQ(order(false, {}), (Names{"surface.pack", "gi.candidates", "gi.spatial", "di.off"}));
+    EXPECT_EQ(order(true, {.spatialPasses = 0}), (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.shade", "di.off"}));
+    EXPECT_EQ(order(true, {.visibility = VisibilityReuse::Cached}),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "gi.shade", "di.off"}));
+    EXPECT_EQ(order(true, {.mode = IndirectMode::Path}), (Names{"surface.pack", "gi.candidates", "di.off"}));
+    EXPECT_EQ(names(makePlan({kExtent, true, 0, false, true, 0}, {.gi = {.mode = IndirectMode::Restir}})),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "di.candidates", "di.temporal", "di.spatial"}));
+}
+
+// What it reads is what direct light's passes begin with.
+TEST(Plan, IndirectLightIsAddedOnceAndBeforeItIsWritten) {
+    for (const Settings& settings : allSettings()) {
+        const Plan plan = makePlan({kExtent, true, 0, false, true, 0}, settings);
+        const auto adds = [](const PassInfo& pass) { return isIndirect(pass) && pass.shades; };
+        EXPECT_EQ(std::count_if(plan.passes.begin(), plan.passes.end(), adds),
+                  settings.gi.mode == IndirectMode::Off ? 0 : 1);
+        const auto writer = std::find_if(plan.passes.begin(), plan.passes.end(),
+                                         [](const PassInfo& pass) { return uses(pass, Resource::Outputs, true); });
+        EXPECT_TRUE(std::none_of(writer, plan.passes.end(), isIndirect));
+        for (const PassInfo& pass : plan.passes) {
+            if (adds(pass)) { EXPECT_TRUE(uses(pass, Resource::Surfaces, true)); }
+            if (uses(pass, Resource::Outputs, true)) { EXPECT_TRUE(uses(pass, Resource::Surfaces, false)); }
+        }
+    }
 }
 
 // Both halves are of one pass: they draw the same partners.
@@ -193,7 +240,7 @@ TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
             EXPECT_EQ(uses(pass, Resource::DebugOutput, true), name == "di.debug") << name;
             EXPECT_EQ(uses(pass, Resource::GradientOutput, true), name == "di.gradient") << name;
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
-            EXPECT_EQ(pass.shades, last) << pass.name;
+            if (!isIndirect(pass)) { EXPECT_EQ(pass.shades, last) << pass.name; }
         }
 }
 
@@ -238,65 +285,74 @@ TEST(Plan, PassesReadNeighboursOnlyInBuffersTheyDoNotWrite) {
             const std::string name = pass.name;
             if (!readsHistory(pass) && !isSpatial(pass)) continue;
             EXPECT_NE(pass.source, pass.target) << name;
-            EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false)) << name;
-            EXPECT_FALSE(uses(pass, reservoirBuffer(pass.source), true)) << name;
-            EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target), true)) << name;
-            EXPECT_EQ(uses(pass, reservoirBuffer(pass.target), false), readsHistory(pass)) << name;
+            EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source, pass), false)) << name;
+            EXPECT_FALSE(uses(pass, reservoirBuffer(pass.source, pass), true)) << name;
+            EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target, pass), true)) << name;
+            EXPECT_EQ(uses(pass, reservoirBuffer(pass.target, pass), false), readsHistory(pass)) << name;
         }
     }
 }
 
 TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
     for (const Plan& plan : allPlans()) {
-        int latest = -1;   // the reservoir buffer written last in this frame
+        int latestOf[2] = {-1, -1};   // the reservoir buffer written last in this frame, of direct and indirect light
         for (const PassInfo& pass : plan.passes) {
-            const std::string name = pass.name;
-            if (name == "di.candidates") {
-                EXPECT_TRUE(uses(pass, reservoirBuffer(pass.target), true));
+            const std::string name = pass.name, stage = stageOf(pass);
+            int& latest = latestOf[isIndirect(pass)];
+            const uint32_t historyOut = isIndirect(pass) ? plan.giHistoryOut : plan.historyOut;
+            if (name == "surface.pack" || name == "di.next_event" || name == "di.off") continue;
+            if (stage == "candidates") {
+                EXPECT_EQ(uses(pass, reservoirBuffer(pass.target, pass), true), !pass.shades);
             } else if (readsHistory(pass)) {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
-            } else if (isSpatial(pass) || name == "di.pair_targets") {
+            } else if (isSpatial(pass) || stage == "pair_targets") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
-            } else if (name == "di.shade") {
+            } else if (stage == "shade") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
-                EXPECT_EQ(plan.historyOut, pass.source);
-                EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source), false));
-            } else if (name == "di.gradient") {
+                EXPECT_EQ(historyOut, pass.source);
+                EXPECT_TRUE(uses(pass, reservoirBuffer(pass.source, pass), false));
+            } else if (stage == "gradient") {
                 EXPECT_EQ(static_cast<int>(pass.target), latest);
                 EXPECT_NE(pass.source, pass.target);
-            } else if (name == "di.debug" || name == "di.fill") {
+            } else if (stage == "debug" || stage == "fill") {
                 EXPECT_EQ(static_cast<int>(pass.source), latest);
-                EXPECT_EQ(plan.historyOut, pass.source);
+                EXPECT_EQ(historyOut, pass.source);
             }
-            if (name.starts_with("di.") && name != "di.next_event" && name != "di.debug") latest = static_cast<int>(pass.target);
+            if (stage != "debug") latest = static_cast<int>(pass.target);
         }
     }
 }
 
 TEST(Plan, HistoryIsReadWhereTheLastFrameLeftItAndBeforeItIsOverwritten) {
     for (const Settings& settings : allSettings()) {
-        uint32_t history = 0;
+        uint32_t history[2] = {0, 0};   // of direct and of indirect light
         for (int frame = 0; frame < 6; ++frame) {
-            const Plan plan = makePlan({kExtent, frame > 0, history, frame % 2 == 0}, settings);
-            bool overwritten = false, read = false;
+            const Plan plan =
+                makePlan({kExtent, frame > 0, history[0], frame % 2 == 0, frame > 0, history[1]}, settings);
+            bool overwritten[2] = {}, read[2] = {};
             for (const PassInfo& pass : plan.passes) {
+                const bool indirect = isIndirect(pass);
                 if (readsHistory(pass)) {
-                    EXPECT_FALSE(read) << "once";
-                    EXPECT_EQ(pass.source, history);
-                    EXPECT_FALSE(overwritten);
+                    EXPECT_FALSE(read[indirect]) << "once";
+                    EXPECT_EQ(pass.source, history[indirect]);
+                    EXPECT_FALSE(overwritten[indirect]);
                     EXPECT_TRUE(uses(pass, Resource::PreviousSurfaces, false));
-                    read = true;
+                    read[indirect] = true;
                 }
                 if (std::string(pass.name) == "di.gradient") {
-                    EXPECT_EQ(pass.source, history);
-                    EXPECT_FALSE(overwritten);
+                    EXPECT_EQ(pass.source, history[0]);
+                    EXPECT_FALSE(overwritten[0]);
                 }
-                overwritten |= uses(pass, reservoirBuffer(history), true);
+                for (const bool room : {false, true})
+                    overwritten[room] |= uses(pass, reservoirBuffer(history[room], room), true);
             }
-            EXPECT_EQ(read, settings.di.mode == DirectMode::Restir && settings.di.temporal && frame > 0);
-            history = plan.historyOut;
-            ASSERT_LT(history, 2u);
+            EXPECT_EQ(read[0], settings.di.mode == DirectMode::Restir && settings.di.temporal && frame > 0);
+            EXPECT_EQ(read[1], settings.gi.mode == IndirectMode::Restir && settings.gi.temporal && frame > 0);
+            history[0] = plan.historyOut;
+            history[1] = plan.giHistoryOut;
+            ASSERT_LT(history[0], 2u);
+            ASSERT_LT(history[1], 2u);
         }
     }
 }

@@ -67,6 +67,7 @@ void HostView::newSession() {
     session_.reset();
     const restir::SessionDesc info{.maxExtent = desc_.maxExtent,
                                    .pairedNeighbours = desc_.pairedNeighbours,
+                                   .indirect = desc_.indirect,
                                    .rayLogCapacity = desc_.rayLogCapacity};
     session_ = made(restir::Session::create(*context_, info), "Session");
 }

@@ -20,6 +20,7 @@ struct HostDesc {
     uint32_t rayLogCapacity = 0;
     bool allOutputs = false;   // else radiance alone
     uint32_t pairedNeighbours = 0;
+    bool indirect = false;
     const restir::ShaderPack* shaders = nullptr;   // null: the library's
 };
 

@@ -32,6 +32,7 @@ struct Trial {
     uint32_t pictures;   // independent sequences
     restir::DiSettings di;
     std::vector<const char*> mutants;
+    restir::GiSettings gi = {};
 
     friend std::ostream& operator<<(std::ostream& out, const Trial& trial) { return out << trial.name; }
 };
@@ -64,6 +65,9 @@ restir::DiSettings alone(restir::DiSettings di) {
     di.spatialPasses = 0;
     return di;
 }
+
+const restir::GiSettings kPaths{
+    .mode = restir::IndirectMode::Restir, .bounces = 2, .temporal = false, .radius = 10};
 
 std::vector<Trial> trials() {
     const auto none = VisibilityReuse::None, traced = VisibilityReuse::Traced;
@@ -134,6 +138,13 @@ std::vector<Trial> trials() {
          with(kTemporal, pairwise, none),
          {"current_lights_in_history", "current_camera_in_history", "appeared_light_in_history",
           "growth_without_jacobian", "cap_after_s"}},
+        {"paths, spatial",
+         Stage::Card,
+         1,
+         64,
+         alone(withDirections(kSpatial, 16, 0)),
+         {"jacobian_left_out", "jacobian_inverted", "cosine_at_the_wrong_vertex", "reused_on_the_wrong_side"},
+         kPaths},
     };
 }
 
@@ -166,9 +177,10 @@ private:
 };
 
 SeedStatistics render(const Play& play, const Trial& trial, const restir::ShaderPack* shaders) {
-    HostView host(*play.scene, play.view, {.maxExtent = Play::kExtent, .maxLights = 8, .shaders = shaders});
+    HostView host(*play.scene, play.view, {.maxExtent = Play::kExtent, .maxLights = 8, .indirect = trial.gi.mode != restir::IndirectMode::Off, .shaders = shaders});
     restir::Settings settings;
     settings.di = trial.di;
+    settings.gi = trial.gi;
     SeedStatistics statistics;
     for (uint32_t seed = 1; seed <= trial.pictures; ++seed) {
         for (uint32_t frame = 0; frame < trial.frames; ++frame) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <support/closed_form.h>
 
@@ -156,9 +157,45 @@ private:
     static inline const Patch kPanel = lamp({0.4f, 0.3f, 0.1f}, 0.3f);
 };
 
+// Still. Level light shines on one side of a card that stands on the plane, and passes over the plane itself; some more
+// comes from above, so that nothing is black behind the card.
+class Card : public Play {
+public:
+    Card() {
+        samples::SceneData data = planeScene();
+        addQuad(data, kCard, {.color = glm::vec3(kAlbedoOfCard), .roughness = 1, .specular = 0});
+        view = data.views[0];
+        scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
+    }
+    void setUp(HostView& host, uint32_t frame, uint32_t) const override {
+        if (frame > 0) return;
+        const Light above{.id = 0, .kind = restir::LightKind::Directional, .direction = {0, -1, 0}, .emission = {1, 1, 1}};
+        const Light level{.id = 1,
+                          .kind = restir::LightKind::Directional,
+                          .direction = {-1, 0, 0},
+                          .emission = {kLevel[0], kLevel[1], kLevel[2]}};
+        host.upload(std::array{above, level});
+    }
+    samples::FloatImage truth() const override {
+        const glm::dvec3 radiance = glm::dvec3(kLevel[0], kLevel[1], kLevel[2]) * double(kAlbedoOfCard) / std::numbers::pi;
+        return planePicture(view, kExtent, 1, [&](glm::dvec3 p) {
+            return glm::dvec3(1) + (p.x > 0 ? radiance * lampIrradiance(kCard, p) : glm::dvec3(0));
+        });
+    }
+
+private:
+    // Facing +x.
+    static inline const Patch kCard{.origin = {0, 0.02f, 0.4f}, .u = {0, 0, -0.8f}, .v = {0, 0.6f, 0}};
+    static constexpr float kLevel[3] = {12, 8, 6}, kAlbedoOfCard = 0.8f;
+};
+
 }   // namespace
 
 const Play& play(Stage stage) {
+    if (stage == Stage::Card) {
+        static const Card card;
+        return card;
+    }
     if (stage == Stage::Ball) {
         static const Ball ball;
         return ball;

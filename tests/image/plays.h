@@ -26,6 +26,7 @@ enum class Stage : uint8_t {
     NearShadows,   // the same with lamps that directions find often
     Changes,       // moving camera, changing lights, no blocker
     Ball,          // a sphere and a rectangle close to a plane, drawn by solid angle
+    Card,          // a standing card reflects light onto the plane: indirect light of two scatterings
 };
 // Made once.
 const Play& play(Stage stage);

@@ -17,7 +17,7 @@ World::World(samples::SceneData scene, VkExtent2D extent) : extent_(extent) {
 
 samples::Renderer& World::renderer() {
     if (!renderer_) {
-        const restir::SessionDesc session{.pairedNeighbours = 16};
+        const restir::SessionDesc session{.pairedNeighbours = 16, .indirect = true};
         renderer_ = std::make_unique<samples::Renderer>(device(), *scene_, extent_, session);
     }
     return *renderer_;

@@ -159,3 +159,21 @@ restir_mutant(final_ray_missing "no V in the shading of samples that were never 
 restir_mutant(final_ray_written_back "None's final ray empties the reservoir that the next frame reuses (section 4, None)"
     passes/di/shade.glsl di/shade
     [[if (occluded && rsFrame.di.visibility == RS_VISIBILITY_CACHED)]] [[if (occluded)]])
+
+# ---- indirect light --------------------------------------------------------------------------------------
+
+restir_mutant(jacobian_left_out "weights per solid angle move to other pixels as they are (section 6)"
+    restir/gi/reservoir.glsl "gi/candidates;gi/spatial"
+    [[float solidAngle = cosVertex / (distance * distance);]] [[float solidAngle = 1.0;]])
+
+restir_mutant(jacobian_inverted "1 / |J| for |J| (section 6)"
+    restir/gi/reservoir.glsl "gi/candidates;gi/spatial"
+    [[float solidAngle = cosVertex / (distance * distance);]] [[float solidAngle = distance * distance / cosVertex;]])
+
+restir_mutant(cosine_at_the_wrong_vertex "cos phi with the normal of the first vertex (section 6)"
+    restir/gi/candidates.glsl gi/candidates
+    [[rsPackNormal(there.geometricNormal)]] [[rsPackNormal(-s.geometricNormal)]])
+
+restir_mutant(reused_on_the_wrong_side "a vertex lights what is behind it (section 6)"
+    restir/gi/reservoir.glsl "gi/candidates;gi/spatial"
+    [[    if (!(cosVertex > 0.0)) return none;]] [[    cosVertex = abs(cosVertex);]])

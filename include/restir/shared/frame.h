@@ -40,6 +40,8 @@ struct RsFrame {
     uvec2 environmentExtent;   // texels of the importance table
     uvec4 infiniteLights;      // ids, those there are in front; else RS_NO_LIGHT
     RsDiConstants di;
+    RsDiConstants gi;      // of indirect light
+    uint giBounces;        // scattering events of a path at most
 };
 
 // Push constants of every pass.
@@ -75,6 +77,7 @@ RS_SHARED_END
 #define RS_FRAME_COUNT 64u
 #define RS_FRAME_DIFFUSE 128u          // output image is bound
 #define RS_FRAME_SPECULAR 256u
+#define RS_FRAME_INDIRECT 512u         // rsSurfacesFrame keeps emission and indirect light, signed
 
 #define RS_NORMAL_XYZ 0u               // xyz, signed
 #define RS_NORMAL_XYZ_UNORM 1u         // xyz, 0.5 + 0.5 n
@@ -88,7 +91,7 @@ RS_SHARED_END
 #define RS_BIND_FRAME 0
 #define RS_BIND_SURFACES 1            // uvec4: depth, normal, geometric normal, base colour
 #define RS_BIND_SURFACES_MORE 2       // uvec2: roughness/metalness/specular/flags, material id
-#define RS_BIND_SURFACES_FRAME 3      // uvec2: motion, emission; this frame only
+#define RS_BIND_SURFACES_FRAME 3      // uvec2: motion, emission (with RS_FRAME_INDIRECT plus indirect light); this frame only
 #define RS_BIND_PREVIOUS_SURFACES 4
 #define RS_BIND_PREVIOUS_MORE 5
 #define RS_BIND_RESERVOIRS 6          // [2]
@@ -101,19 +104,20 @@ RS_SHARED_END
 #define RS_BIND_RAY_LOG 13
 #define RS_BIND_NOTES 14               // uint: targets of partners' samples, two in a word
 #define RS_BIND_ENVIRONMENT 15         // RsEnvironmentTexel: the importance table
-#define RS_BIND_DEPTH 16
-#define RS_BIND_NORMAL 17
-#define RS_BIND_GEOMETRIC_NORMAL 18
-#define RS_BIND_BASE_COLOR 19
-#define RS_BIND_MATERIAL 20
-#define RS_BIND_MOTION 21
-#define RS_BIND_EMISSION 22
-#define RS_BIND_RADIANCE 23
-#define RS_BIND_DEBUG 24             // from RADIANCE on: storage images
-#define RS_BIND_DIFFUSE 25
-#define RS_BIND_SPECULAR 26
-#define RS_BIND_GRADIENT 27
-#define RS_BIND_COUNT 28
+#define RS_BIND_GI_RESERVOIRS 16       // [4] uvec4: A and B in two streams each
+#define RS_BIND_DEPTH 17
+#define RS_BIND_NORMAL 18
+#define RS_BIND_GEOMETRIC_NORMAL 19
+#define RS_BIND_BASE_COLOR 20
+#define RS_BIND_MATERIAL 21
+#define RS_BIND_MOTION 22
+#define RS_BIND_EMISSION 23
+#define RS_BIND_RADIANCE 24
+#define RS_BIND_DEBUG 25             // from RADIANCE on: storage images
+#define RS_BIND_DIFFUSE 26
+#define RS_BIND_SPECULAR 27
+#define RS_BIND_GRADIENT 28
+#define RS_BIND_COUNT 29
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

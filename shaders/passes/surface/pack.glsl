@@ -20,5 +20,7 @@ void main() {
     uint i = rsIndex(pixel);
     rsSurfaces[i] = packed.geometry;
     rsSurfacesMore[i] = packed.material;
-    rsSurfacesFrame[i] = uvec2(packHalf2x16(host.motion), host.surface.valid ? rsPackRadiance(host.emission) : 0u);
+    RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_OWN_LIGHT);
+    uint light = host.surface.valid ? rsPackOwnLight(host.emission, random) : 0u;
+    rsSurfacesFrame[i] = uvec2(packHalf2x16(host.motion), light);
 }

@@ -21,25 +21,35 @@ uint rsBridgeLight(RsHit hit) {
 }
 #endif
 
-#ifndef RS_BRIDGE_OPAQUE
-vec2 rsHitUv(RsInstance instance, RsHit hit) {
-    if (all(equal(instance.uvs, uvec2(0u)))) return vec2(0.0);
+#if !defined(RS_BRIDGE_OPAQUE) || (defined(RS_PASS_HITS) && !defined(RS_BRIDGE_HIT))
+uvec3 rsHitCorners(RsInstance instance, RsHit hit) {
     RsIndexStream indices = RsIndexStream(instance.indices);
-    RsUvStream uvs = RsUvStream(instance.uvs);
     uint i = 3u * hit.primitive;
-    return (1.0 - hit.barycentrics.x - hit.barycentrics.y) * uvs.at[indices.at[i]] +
-           hit.barycentrics.x * uvs.at[indices.at[i + 1u]] + hit.barycentrics.y * uvs.at[indices.at[i + 2u]];
+    return uvec3(indices.at[i], indices.at[i + 1u], indices.at[i + 2u]);
 }
 
+vec2 rsHitUv(RsInstance instance, uvec3 corners, vec2 barycentrics) {
+    if (all(equal(instance.uvs, uvec2(0u)))) return vec2(0.0);
+    RsUvStream uvs = RsUvStream(instance.uvs);
+    return (1.0 - barycentrics.x - barycentrics.y) * uvs.at[corners.x] + barycentrics.x * uvs.at[corners.y] +
+           barycentrics.y * uvs.at[corners.z];
+}
+#endif
+
+#ifndef RS_BRIDGE_OPAQUE
 bool rsBridgeOpaque(RsHit hit) {
     RsInstance instance = rsInstances[hit.instance];
     uint m = instance.material;
     if ((rsMaterials[m].flags & RS_MATERIAL_ALPHA_MASK) == 0u) return true;
     float opacity = rsMaterials[m].baseColor.a;
     uint texture = rsMaterials[m].baseColorTexture;
-    if (texture != RS_NO_TEXTURE) opacity *= rsBridgeTexture(texture, rsHitUv(instance, hit)).a;
+    if (texture != RS_NO_TEXTURE) opacity *= rsBridgeTexture(texture, rsHitUv(instance, rsHitCorners(instance, hit), hit.barycentrics)).a;
     return opacity >= rsMaterials[m].alphaCutoff;
 }
+#endif
+
+#if defined(RS_PASS_HITS) && !defined(RS_BRIDGE_HIT)
+#include "restir/bridge/hit.glsl"
 #endif
 
 #endif

@@ -7,6 +7,8 @@
 #define RS_STAGE_TEMPORAL 1u
 #define RS_STAGE_SPATIAL 2u
 #define RS_STAGE_FILL 64u
+#define RS_STAGE_OWN_LIGHT 65u
+#define RS_STAGE_GI 128u   // and on from there as for DI
 
 struct RsRandom { uint state; };
 

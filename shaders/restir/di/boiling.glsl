@@ -3,15 +3,14 @@
 // always towards darkness. Cutting back leaves less error than dropping the sample does, at the same bias.
 #ifndef RESTIR_DI_BOILING_GLSL
 #define RESTIR_DI_BOILING_GLSL
-#include "restir/di/direct.glsl"
-#include "restir/di/reservoir.glsl"
+#include "restir/di/sample.glsl"
 
 // What a filter of strength 1 lets pass, in means of the others.
 #define RS_BOILING_LIMIT 4.0
 
 // p^ W, without visibility.
 float rsContribution(RsSurface s, RsReservoir r) {
-    return rsHasSample(r) ? rsDirect(s, rsLoadLight(r.light), r.uv).target * r.ucw : 0.0;
+    return rsHasSample(r) ? rsEvaluate(s, r, false).target * r.ucw : 0.0;
 }
 
 // What is left of a contribution, in (0, 1]. `count` others near by bring something, together `sum`; without them nothing

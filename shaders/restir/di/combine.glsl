@@ -14,8 +14,7 @@
 // with less noise in colour and shadow. Off and Pairwise know their m_i; Basic and Balance normalise at one sample only.
 #ifndef RESTIR_DI_COMBINE_GLSL
 #define RESTIR_DI_COMBINE_GLSL
-#include "restir/di/direct.glsl"
-#include "restir/di/reservoir.glsl"
+#include "restir/di/sample.glsl"
 
 // One domain to take a sample from.
 struct RsNeighbour {
@@ -38,13 +37,9 @@ struct RsNeighbourhood {
 // Provided by the stage. `i` is a set bit of `accepted`.
 RsNeighbour rsLoadNeighbour(RsNeighbourhood where, uint i);
 
-RsPackedLight rsLightFor(RsNeighbour n, uint id) { return n.previous ? rsLoadPreviousLight(id) : rsLoadLight(id); }
-
 // Running sum of a weighted reservoir (Chao 1982).
 struct RsSelection {
-    uint light;
-    uint uv;
-    uint age;
+    RsReservoir kept;
     float target;        // p^_c of the selected sample
     float sourceTarget;  // p^_s of it, s its source
     float sum;
@@ -56,9 +51,7 @@ void rsSelect(inout RsSelection selection, RsReservoir r, float weight, float ta
     if (!(weight > 0.0)) return;
     selection.sum += weight;
     if (coin * selection.sum >= weight) return;
-    selection.light = r.light;
-    selection.uv = r.uv;
-    selection.age = rsAge(r);
+    selection.kept = r;
     selection.target = target;
     selection.sourceTarget = sourceTarget;
     selection.source = source;
@@ -87,7 +80,7 @@ float rsPairwiseShare(uint weights, float canonicalConfidence, float S) {
 void rsTakeSample(inout RsCombination sums, RsSurface s, RsNeighbour n, RsDirect here, int i, float canonicalConfidence, float S,
                   uint weights, float coin) {
     bool asksThere = weights == RS_WEIGHTS_BALANCE || rsIsPairwise(weights);
-    float there = asksThere ? rsDirect(n.surface, rsLightFor(n, n.reservoir.light), n.reservoir.uv).target : 1.0;
+    float there = asksThere ? rsEvaluate(n.surface, n.reservoir, n.previous).target : 1.0;
     float mis = float(rsConfidence(n.reservoir));
     if (rsIsPairwise(weights))
         mis *= rsPairwiseShare(weights, canonicalConfidence, S) * there / (canonicalConfidence * here.target + S * there);
@@ -104,7 +97,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     RsDirect own;
     own.target = 0.0;
     own.integrand = vec3(0.0);
-    if (rsHasSample(canonical)) own = rsDirect(s, rsLoadLight(canonical.light), canonical.uv);
+    if (rsHasSample(canonical)) own = rsEvaluate(s, canonical, false);
     RsShading alone = rsNoLight();
     if (where.accepted == 0u || S <= 0.0) {
         rsAddLight(alone, s, own, canonical.ucw);
@@ -113,7 +106,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
 
     bool pairwise = rsIsPairwise(weights), balance = weights == RS_WEIGHTS_BALANCE;
     RsCombination sums =
-        RsCombination(RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1), alone, 0.0, 0.0);
+        RsCombination(RsSelection(rsEmptyReservoir(0u), 0.0, 0.0, 0.0, -1), alone, 0.0, 0.0);
     RsReservoir asked = canonical;
     float coin = 0.0;
     for (uint question = 0u; question < 2u * where.count;) {
@@ -126,8 +119,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
             if (question == where.count && !pairwise) {
                 float ownWeight = cc * own.target * canonical.ucw;
                 rsSelect(sums.selection, canonical, ownWeight, own.target, own.target, -1, rsNext(random));
-                asked.light = sums.selection.light;
-                asked.uv = sums.selection.uv;
+                asked = sums.selection.kept;
                 asked.ucw = weights == RS_WEIGHTS_OFF ? 0.0 : sums.selection.sum;   // 0: nothing to ask
                 sums.normalisation = balance ? cc * sums.selection.target : cc;
             }
@@ -143,12 +135,10 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
         RsReservoir sampled = n.reservoir;
         if (!sampling) {
             at = n.surface;
-            sampled.light = asked.light;
-            sampled.uv = asked.uv;
+            sampled = asked;
         }
         bool previous = n.previous && !sampling;
-        RsPackedLight light = previous ? rsLoadPreviousLight(sampled.light) : rsLoadLight(sampled.light);
-        RsDirect direct = rsDirect(at, light, sampled.uv);
+        RsDirect direct = rsEvaluate(at, sampled, previous);
         bool itsOwn = !sampling && !pairwise && sums.selection.source == int(i);
         bool counts = direct.target > 0.0;
         if (counts && traced && !itsOwn) counts = rsUnoccluded(at, direct.incident, previous);
@@ -180,8 +170,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     float ucw = selected.sum / selected.target;
     if (balance) ucw *= selected.sourceTarget / sums.normalisation;
     else if (!pairwise) ucw /= sums.normalisation;
-    RsReservoir kept = rsMakeReservoir(selected.light, selected.uv, ucw, confidence, selected.age);
-    return RsCombined(kept, sums.shading);
+    return RsCombined(rsKeep(selected.kept, ucw, confidence), sums.shading);
 }
 
 #endif

@@ -21,8 +21,7 @@ struct RsDirect {
     RsIncident incident;
 };
 
-RsDirect rsDirect(RsSurface s, RsPackedLight light, uint uv) {
-    RsIncident incident = rsIncident(light, uv, rsRayOrigin(s));   // so that target, densities and rays agree
+RsDirect rsReflect(RsSurface s, RsIncident incident) {
     vec3 f = incident.irradiance.x + incident.irradiance.y + incident.irradiance.z > 0.0
                  ? incident.irradiance * rsBridgeBsdf(s, incident.direction)
                  : vec3(0.0);
@@ -32,6 +31,10 @@ RsDirect rsDirect(RsSurface s, RsPackedLight light, uint uv) {
         target = 0.0;
     }
     return RsDirect(f, target, incident);
+}
+
+RsDirect rsDirect(RsSurface s, RsPackedLight light, uint uv) {
+    return rsReflect(s, rsIncident(light, uv, rsRayOrigin(s)));   // so that target, densities and rays agree
 }
 
 // Light that a pixel reflects, summed up.

@@ -39,14 +39,14 @@ RsCombined rsDiPairSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uint
     RsDirect ownDirect;
     ownDirect.target = 0.0;
     ownDirect.integrand = vec3(0.0);
-    if (shades && rsHasSample(canonical)) ownDirect = rsDirect(s, rsLoadLight(canonical.light), canonical.uv);
+    if (shades && rsHasSample(canonical)) ownDirect = rsEvaluate(s, canonical, false);
     if (S <= 0.0) {
         rsAddLight(shading, s, ownDirect, canonical.ucw);
         return RsCombined(canonical, shading);
     }
 
     RsRandom random = rsRandom(pixel, seed, stage);
-    RsSelection selection = RsSelection(RS_NO_LIGHT, 0u, 0u, 0.0, 0.0, 0.0, -1);
+    RsSelection selection = RsSelection(rsEmptyReservoir(0u), 0.0, 0.0, 0.0, -1);
     float own = rsUnpackTarget(rsLoadNote(pixel, 0u));
     float share = rsPairwiseShare(di.weights, cc, S), canonicalMis = 0.0;
     for (uint i = 0u; i < di.neighbours; ++i) {
@@ -58,7 +58,7 @@ RsCombined rsDiPairSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uint
         if (!(rsHasSample(r) && pair.here > 0.0)) continue;
         float theirs = rsUnpackTarget(rsLoadNote(pair.partner, 0u));
         float mis = share * c * theirs / (cc * pair.here + S * theirs);
-        if (shades) rsAddLight(shading, s, rsDirect(s, rsLoadLight(r.light), r.uv), mis * r.ucw);
+        if (shades) rsAddLight(shading, s, rsEvaluate(s, r, false), mis * r.ucw);
         rsSelect(selection, r, mis * pair.here * r.ucw, pair.here, theirs, int(i), coin);
     }
     float mis = own > 0.0 ? canonicalMis * share + 1.0 - share : 0.0;
@@ -68,7 +68,7 @@ RsCombined rsDiPairSpatial(RsSurface s, RsReservoir canonical, uvec2 pixel, uint
     uint confidence = rsConfidence(canonical) + uint(S);
     if (!(selection.sum > 0.0)) return RsCombined(rsEmptyReservoir(confidence), shading);
     float ucw = selection.sum / selection.target;
-    return RsCombined(rsMakeReservoir(selection.light, selection.uv, ucw, confidence, selection.age), shading);
+    return RsCombined(rsKeep(selection.kept, ucw, confidence), shading);
 }
 
 #endif

@@ -2,9 +2,8 @@
 // second half reads the same of the partner instead of tracing it, which is half of the rays and targets.
 #ifndef RESTIR_DI_PAIR_TARGETS_GLSL
 #define RESTIR_DI_PAIR_TARGETS_GLSL
-#include "restir/di/direct.glsl"
 #include "restir/di/partner.glsl"
-#include "restir/di/reservoir.glsl"
+#include "restir/di/sample.glsl"
 #include "restir/di/similar.glsl"
 
 RsSurface rsLoadSurface(uvec2 pixel);
@@ -37,7 +36,7 @@ uint rsUnoccludedNote(RsSurface s, RsPairing pairing, uint number, RsDiConstants
     if (!exists) return RS_NO_PARTNER;
     RsReservoir r = rsLoadSource(uvec2(at));
     if (!rsHasSample(r)) return 0u;
-    direct = rsDirect(s, rsLoadLight(r.light), r.uv);
+    direct = rsEvaluate(s, r, false);
     return rsPackTarget(direct.target);
 }
 

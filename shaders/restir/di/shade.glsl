@@ -2,14 +2,13 @@
 // only RS_VISIBILITY_CACHED keeps the answer.
 #ifndef RESTIR_DI_SHADE_GLSL
 #define RESTIR_DI_SHADE_GLSL
-#include "restir/di/direct.glsl"
-#include "restir/di/reservoir.glsl"
+#include "restir/di/sample.glsl"
 
 RsShading rsDiShade(RsSurface s, RsReservoir r, uint visibility, out bool occluded) {
     RsShading shading = rsNoLight();
     occluded = false;
     if (!rsHasSample(r)) return shading;
-    RsDirect direct = rsDirect(s, rsLoadLight(r.light), r.uv);
+    RsDirect direct = rsEvaluate(s, r, false);
     if (direct.target <= 0.0) return shading;
     occluded = visibility != RS_VISIBILITY_TRACED && !rsUnoccluded(s, direct.incident);
     if (!occluded) rsAddLight(shading, s, direct, r.ucw);

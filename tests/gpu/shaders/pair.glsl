@@ -35,6 +35,7 @@ RsPackedLight rsLoadLight(uint id) {
     none.kindAndTexture = 0u;
     return none;
 }
+RsPackedLight rsLoadPreviousLight(uint id) { return rsLoadLight(id); }
 vec3 rsBridgeBsdf(RsSurface s, vec3 light) { return vec3(0.0); }
 bool rsOccluded(vec3 origin, vec3 direction, float tmax, bool previous) { return true; }
 

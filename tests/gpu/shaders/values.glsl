@@ -91,6 +91,17 @@ void faced(Record r, inout Record result) {
     put(result, 3u, s.geometricNormal);
 }
 
+// Packed finely, and with a sign and three random numbers.
+void lightOf(Record r, inout Record result) {
+    vec3 v = asVec3(r, 1);
+    uvec2 fine = rsPackFineRadiance(v);
+    put(result, 0u, rsUnpackFineRadiance(fine));
+    uint rounded = rsPackSignedRadiance(v, asVec3(r, 4));
+    put(result, 3u, rsUnpackSignedRadiance(rounded));
+    result.w[6] = rounded;
+    result.w[7] = rsPackFineRadiance(rsUnpackFineRadiance(fine)) == fine ? 1u : 0u;
+}
+
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= records.length()) return;
@@ -102,6 +113,7 @@ void main() {
         case 2u: projected(r, result); break;
         case 3u: surfaceOf(r, result); break;
         case 4u: faced(r, result); break;
+        case 5u: lightOf(r, result); break;
     }
     results[i] = result;
 }

@@ -85,6 +85,8 @@ FILL fillFrame(RS_INOUT(RsFrame) s, int b) {
     s.environmentExtent = U2(b + 219);
     s.infiniteLights = U4(b + 221);
     fillDi(s.di, b + 226);
+    fillDi(s.gi, b + 246);
+    s.giBounces = U(b + 266);
 }
 
 FILL fillPass(RS_INOUT(RsPass) s, int b) {

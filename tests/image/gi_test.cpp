@@ -1,0 +1,125 @@
+// Indirect light against the reference path tracer, which shares no code with it.
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "image/host_view.h"
+#include "image/hypothesis.h"
+#include "image/stage.h"
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+using namespace samples::build;
+
+constexpr VkExtent2D kExtent{32, 32};
+constexpr uint32_t kPictures = 20, kFrames = 6, kBounces = 3;
+
+restir::Settings indirect() {
+    restir::Settings settings = unbiased();
+    settings.gi.mode = restir::IndirectMode::Restir;
+    settings.gi.bounces = kBounces;
+    settings.gi.radius = 8;   // short and near: more independent samples in a picture
+    settings.gi.maxHistory = 4;
+    return settings;
+}
+
+NamedSettings named(const std::string& name, const std::function<void(restir::GiSettings&)>& change) {
+    restir::Settings settings = indirect();
+    change(settings.gi);
+    return {name, settings};
+}
+
+const NamedSettings kPath = named("path", [](auto& gi) { gi.mode = restir::IndirectMode::Path; });
+const NamedSettings kBoth = named("both", [](auto&) {});
+
+std::vector<NamedSettings> allReuse() {
+    return {kPath,
+            kBoth,
+            named("candidates", [](auto& gi) { gi.temporal = false, gi.spatialPasses = 0; }),
+            named("temporal", [](auto& gi) { gi.spatialPasses = 0; }),
+            named("spatial", [](auto& gi) { gi.temporal = false; }),
+            named("selected", [](auto& gi) { gi.averageShading = false; }),
+            named("balance", [](auto& gi) { gi.temporal = false, gi.weights = restir::Weights::Balance; })};
+}
+
+void expectAgreement(World& world, const ReferenceBlocks& truth, const std::vector<NamedSettings>& all) {
+    Verdict verdict(all.size(), kPictures);
+    for (const NamedSettings& each : all) {
+        samples::Sequence sequence{.view = world.view(), .frames = kFrames, .accumulate = true};
+        SeedStatistics statistics;
+        for (sequence.seed = 1000; sequence.seed < 1000 + kPictures; ++sequence.seed) {
+            statistics.add(world.render(sequence, each.settings));
+            EXPECT_EQ(world.renderer().stats().counters.rejectedWeights, 0u);
+        }
+        verdict.add("gi " + each.name, compare(statistics, truth));
+    }
+    verdict.expectUnitVariance();
+}
+
+void expectReference(samples::SceneData scene, const std::vector<NamedSettings>& all) {
+    World world(std::move(scene), kExtent);
+    const samples::Sequence sequence{.view = world.view(), .frames = 4, .accumulate = true};
+    expectAgreement(world,
+                    referenceFromSeeds(world.referenceSeeds(32, sequence, {.paths = 20, .bounces = kBounces})), all);
+}
+
+// Walls seen from inside.
+void addRoom(samples::SceneData& scene, const Surface& surface, glm::vec3 low, glm::vec3 high) {
+    samples::Geometry walls{.material = addMaterial(scene, surface)};
+    addBox(walls, low, high);
+    for (size_t i = 0; i < walls.indices.size(); i += 3) std::swap(walls.indices[i], walls.indices[i + 1]);
+    for (glm::vec3& normal : walls.normals) normal = -normal;
+    addInstance(scene, addMesh(scene, {walls}));
+}
+
+// A closed room with one lamp and two boxes: what the lamp does not see is lit by the walls alone.
+samples::SceneData room(const Surface& boxes) {
+    samples::SceneData scene;
+    addRoom(scene, {.color = kAlbedo, .roughness = 1, .specular = 0}, {-2, 0, -2}, {2, 3, 2});
+    samples::Geometry things{.material = addMaterial(scene, boxes)};
+    addBox(things, glm::vec3(-1.2f, 0, -1), glm::vec3(-0.4f, 1.2f, -0.2f));
+    addBox(things, glm::vec3(0.3f, 0, -0.4f), glm::vec3(1.1f, 0.6f, 0.4f));
+    addInstance(scene, addMesh(scene, {things}));
+    addQuad(scene, lamp({0, 2.5f, 0.3f}, 0.5f), {.color = {0, 0, 0}, .emission = {6, 5, 4}, .specular = 0});
+    scene.views.push_back({.eye = {0, 1.3f, 1.95f}, .target = {0, 0.8f, 0}, .verticalFov = 0.9f});
+    return scene;
+}
+
+TEST(Gi, DiffuseRoomAgreesWithTheReference) {
+    expectReference(room({.color = kAlbedo, .roughness = 1, .specular = 0}), allReuse());
+}
+
+// Part of what the boxes reflect changes with the view, and cannot be reused.
+TEST(Gi, GlossyRoomAgreesWithTheReference) {
+    expectReference(room({.color = kAlbedo, .roughness = 77.0f / 255.0f, .metalness = 51.0f / 255.0f}), {kPath, kBoth});
+}
+
+// Where everything shines 1 and reflects a, n scatterings leave 1 + a + ... + a^n.
+TEST(Gi, ClosedRoomThatShinesHasTheKnownRadiance) {
+    samples::SceneData scene;
+    addRoom(scene, {.color = kAlbedo, .roughness = 1, .emission = {1, 1, 1}, .specular = 0}, {-1, -1, -1}, {1, 1, 1});
+    scene.views.push_back({.eye = {0.3f, 0.2f, 0.6f}, .target = {-0.7f, -1, -1}, .verticalFov = 1});
+    World world(std::move(scene), kExtent);
+    glm::vec3 sum(1);
+    for (uint32_t i = 0; i < kBounces; ++i) sum = 1.0f + kAlbedo * sum;
+    samples::FloatImage truth{kExtent.width, kExtent.height, {}};
+    for (uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) truth.rgb.insert(truth.rgb.end(), {sum.x, sum.y, sum.z});
+    expectAgreement(world, exactly(truth), {kPath, kBoth});
+}
+
+TEST(Gi, NeedsItsMemoryDeclared) {
+    World world(planeScene(), kExtent);
+    samples::GpuScene scene(device(), planeScene());
+    HostView host(scene, world.view(), {});
+    const restir::FrameInput input = host.input(0);
+    const auto plan = host.session().plan(input, indirect());
+    ASSERT_FALSE(plan);
+    EXPECT_EQ(plan.error().status, restir::Status::InvalidArgument);
+    restir::Settings path = kPath.settings;
+    EXPECT_TRUE(host.session().plan(input, path));
+}
+
+}   // namespace
+}   // namespace tests

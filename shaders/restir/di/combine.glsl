@@ -107,7 +107,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     bool pairwise = rsIsPairwise(weights), balance = weights == RS_WEIGHTS_BALANCE;
     RsCombination sums =
         RsCombination(RsSelection(rsEmptyReservoir(0u), 0.0, 0.0, 0.0, -1), alone, 0.0, 0.0);
-    RsReservoir asked = canonical;
+    bool asks = rsHasSample(canonical);   // whether neighbours are asked for a sample that is not theirs
     float coin = 0.0;
     for (uint question = 0u; question < 2u * where.count;) {
         bool found = false, sampling = true;
@@ -119,15 +119,15 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
             if (question == where.count && !pairwise) {
                 float ownWeight = cc * own.target * canonical.ucw;
                 rsSelect(sums.selection, canonical, ownWeight, own.target, own.target, -1, rsNext(random));
-                asked = sums.selection.kept;
-                asked.ucw = weights == RS_WEIGHTS_OFF ? 0.0 : sums.selection.sum;   // 0: nothing to ask
+                asks = weights != RS_WEIGHTS_OFF && sums.selection.sum > 0.0;
                 sums.normalisation = balance ? cc * sums.selection.target : cc;
             }
             ++question;
             if ((where.accepted & (1u << i)) == 0u) continue;
             n = rsLoadNeighbour(where, i);
             if (sampling) coin = rsNext(random);
-            found = rsHasSample(sampling ? n.reservoir : asked);
+            found = asks;
+            if (sampling) found = rsHasSample(n.reservoir);
         }
         if (!found) break;
 
@@ -135,7 +135,8 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
         RsReservoir sampled = n.reservoir;
         if (!sampling) {
             at = n.surface;
-            sampled = asked;
+            sampled = canonical;
+            if (!pairwise) sampled = sums.selection.kept;
         }
         bool previous = n.previous && !sampling;
         RsDirect direct = rsEvaluate(at, sampled, previous);

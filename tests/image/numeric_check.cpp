@@ -117,7 +117,7 @@ TEST_F(LongNumericCheck, CornellOffCachedFails) {
 // An hour or more each.
 TEST_F(LongNumericCheck, KitchenReference) {
     Check check(kKitchen);
-    check.expectAgreement(check.reference(8, 96, 8));
+    check.expectAgreement(check.reference(8, 160, 8));
 }
 
 TEST_F(LongNumericCheck, KitchenDi) {

@@ -76,7 +76,7 @@ protected:
         return agreement;
     }
 
-    static constexpr uint32_t kPictures = 48;
+    static constexpr uint32_t kPictures = 96;
     std::vector<restir::Light> lights = bulbs();
     samples::View view_;
     std::unique_ptr<samples::GpuScene> scene_;

@@ -18,7 +18,7 @@ using samples::SceneState;
 using samples::Sequence;
 
 constexpr VkExtent2D kExtent{32, 32};
-constexpr uint32_t kPictures = 64, kReferencePictures = 24, kPaths = 16;
+constexpr uint32_t kPictures = 96, kReferencePictures = 24, kPaths = 16;
 constexpr uint32_t kFrames = 12, kSkip = 4;
 
 // Instances of the yard after the plane, in order; their materials go with them.

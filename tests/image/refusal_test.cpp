@@ -94,7 +94,11 @@ const BadFrame kBadFrames[] = {
          s.debugView = restir::DebugView::Neighbours;
          s.di.spatialPasses = 0;
      }},
-    {"mode", [](FrameInput&, Settings& s) { s.di.mode = restir::DirectMode(2); }},
+    {"mode", [](FrameInput&, Settings& s) { s.di.mode = restir::DirectMode(3); }},
+    {"GiSettings::mode", [](FrameInput&, Settings& s) { s.gi.mode = restir::IndirectMode(3); }},
+    {"SessionDesc::indirect", [](FrameInput&, Settings& s) { s.gi.mode = restir::IndirectMode::Restir; }},
+    {"GiSettings::bounces", [](FrameInput&, Settings& s) { s.gi.bounces = 1; }},
+    {"GiSettings::visibility", [](FrameInput&, Settings& s) { s.gi.visibility = restir::VisibilityReuse::None; }},
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 0; }},
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 65537; }},
     {"initialSamples", [](FrameInput&, Settings& s) { s.di.initialSamples = 0; }},

@@ -1,6 +1,7 @@
 from conan import ConanFile
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
-from conan.tools.files import load
+from conan.tools.files import copy, load
+import os
 import re
 
 
@@ -11,11 +12,16 @@ class RestirRecipe(ConanFile):
     settings = "os", "compiler", "build_type", "arch"
     options = {"shared": [True, False], "fPIC": [True, False]}
     default_options = {"shared": False, "fPIC": True}
-    exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "lib/*", "shaders/*"
-    exports = "include/restir/version.h"
+
+    def _root(self):
+        return os.path.join(self.recipe_folder, "..", "..")
+
+    def export_sources(self):
+        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "lib/*", "shaders/*"):
+            copy(self, pattern, self._root(), self.export_sources_folder)
 
     def set_version(self):
-        text = load(self, f"{self.recipe_folder}/include/restir/version.h")
+        text = load(self, os.path.join(self._root(), "include", "restir", "version.h"))
         parts = (re.search(rf"RESTIR_VERSION_{part} (\d+)", text).group(1) for part in ("MAJOR", "MINOR", "PATCH"))
         self.version = ".".join(parts)
 

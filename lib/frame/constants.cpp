@@ -47,36 +47,30 @@ uint32_t fieldOf(const Session::Impl& s, const FrameInput& frame, const Settings
     return history && s.history.field == 1 ? 2 : 1;
 }
 
-gpu::RsDiConstants diConstants(const DiSettings& di, bool history, uint32_t field) noexcept {
-    const bool cut = di.temporal && !history;
-    const uint32_t rounds = cut ? std::max(di.initialSamples, di.cutSamples) : di.initialSamples;
-    return {.lightCandidates = di.lightCandidates,
-            .bsdfCandidates = di.bsdfCandidates,
-            .maxHistory = di.maxHistory,
-            .neighbours = di.neighbours,
-            .radius = di.radius,
-            .normalThreshold = di.normalThreshold,
-            .depthThreshold = di.depthThreshold,
-            .weights = uint32_t(di.weights),
-            .visibility = uint32_t(di.visibility),
-            .boilingFilter = di.boilingFilter,
-            .initialSamples = rounds,
-            .partnerSquare = partnerSquare(di.radius, field != 0),
-            // What the next frames' candidates are weighed against.
-            .freshConfidence = rounds / di.initialSamples,
-            .field = field};
+// What any kind of reuse has.
+template <class S>
+gpu::RsDiConstants reuseConstants(const S& s) noexcept {
+    return {.lightCandidates = s.lightCandidates,
+            .maxHistory = s.maxHistory,
+            .neighbours = s.neighbours,
+            .radius = s.radius,
+            .normalThreshold = s.normalThreshold,
+            .depthThreshold = s.depthThreshold,
+            .weights = uint32_t(s.weights),
+            .visibility = uint32_t(s.visibility),
+            .freshConfidence = 1};
 }
 
-gpu::RsDiConstants giConstants(const GiSettings& gi) noexcept {
-    return {.lightCandidates = gi.lightCandidates,
-            .maxHistory = gi.maxHistory,
-            .neighbours = gi.neighbours,
-            .radius = gi.radius,
-            .normalThreshold = gi.normalThreshold,
-            .depthThreshold = gi.depthThreshold,
-            .weights = uint32_t(gi.weights),
-            .visibility = uint32_t(gi.visibility),
-            .freshConfidence = 1};
+gpu::RsDiConstants diConstants(const DiSettings& di, bool history, uint32_t field) noexcept {
+    const bool cut = di.temporal && !history;
+    gpu::RsDiConstants c = reuseConstants(di);
+    c.bsdfCandidates = di.bsdfCandidates;
+    c.boilingFilter = di.boilingFilter;
+    c.initialSamples = cut ? std::max(di.initialSamples, di.cutSamples) : di.initialSamples;
+    c.partnerSquare = partnerSquare(di.radius, field != 0);
+    c.freshConfidence = c.initialSamples / di.initialSamples;   // what the next frames' candidates are weighed against
+    c.field = field;
+    return c;
 }
 
 }   // namespace
@@ -133,7 +127,7 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.di = diConstants(settings.di, history, fieldOf(s, frame, settings, history));
     c.di.previousField = history ? s.history.field : 0;
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
-    c.gi = giConstants(settings.gi);
+    c.gi = reuseConstants(settings.gi);
     c.giBounces = settings.gi.bounces;
     return c;
 }

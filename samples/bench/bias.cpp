@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "bench/command.h"
-#include "common/di_options.h"
+#include "common/setting_options.h"
 #include "proof/run.h"
 
 namespace bench {
@@ -46,7 +46,8 @@ void run(const Options& options) {
     proof::check(plan);
     proof::ProofFile file(options.json);
     restir::SessionDesc session;
-    for (const proof::Row& row : plan.rows) samples::declareFor(samples::parseDi(row.settings), session);
+    for (const proof::Row& row : plan.rows)
+        samples::declareFor(samples::parseSettings(row.settings), session);
     samples::Device device({.validate = options.validate});
     proof::Prover prover(device, load(options.scene), plan.extent, session);
     std::fprintf(stderr, "%s, %ux%u, %s, commit %s\n", options.scene.c_str(), plan.extent.width,
@@ -97,7 +98,7 @@ void addBias(CLI::App& app) {
     command
         ->add_option("--table", options->table,
                      "rows by name. weights: each of weights with each of visibility; presets; options: the "
-                     "defaults with one thing changed")
+                     "defaults with one thing changed; indirect: ReSTIR GI")
         ->type_name("NAME");
     addRows(*command, options->rows);
     command->add_option("--frames", options->frames, "of a sequence")->type_name("N");

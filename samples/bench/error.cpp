@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "bench/workbench.h"
+#include "common/setting_options.h"
 
 namespace bench {
 namespace {
@@ -24,10 +25,11 @@ struct Options {
 constexpr uint32_t kReferenceSeed = 1000;   // and on: apart from those measured
 
 FloatImage makeReference(Workbench& bench, const Options& options) {
-    restir::DiSettings settings = options.scene.di;
-    settings.temporal = false;
-    settings.weights = restir::Weights::Pairwise;
-    settings.visibility = restir::VisibilityReuse::Traced;
+    restir::Settings settings = bench.contenders()[0].settings();
+    settings.di.temporal = false;
+    settings.di.weights = restir::Weights::Pairwise;
+    settings.di.visibility = restir::VisibilityReuse::Traced;
+    samples::reuseAlike(settings);
     Contender& source = bench.add("reference", settings);
     FloatImage sum = source.render(kReferenceSeed, 1).last;
     for (uint32_t i = 1; i < options.referenceFrames; ++i) {
@@ -55,10 +57,10 @@ FloatImage referenceOf(Workbench& bench, const Options& options) {
 }
 
 // Next-event samples whose passes take as long.
-uint32_t matchingSamples(Workbench& bench, restir::DiSettings settings, double milliseconds) {
+uint32_t matchingSamples(Workbench& bench, restir::Settings settings, double milliseconds) {
     double times[2];
     for (uint32_t i = 0; i < 2; ++i) {
-        settings.lightCandidates = 4 + 4 * i;
+        settings.di.lightCandidates = 4 + 4 * i;
         Contender& trial = bench.add("trial", settings);
         for (uint32_t seed = 0; seed < 3; ++seed) trial.render(seed, 3);
         times[i] = trial.milliseconds();
@@ -68,19 +70,35 @@ uint32_t matchingSamples(Workbench& bench, restir::DiSettings settings, double m
     return std::max(1u, uint32_t(std::lround(4 + (milliseconds - times[0]) / perSample)));
 }
 
-// Plain next-event estimation in the first row's time, and the first row's candidates alone.
+// Plain next-event estimation in the first row's time, and the first row's candidates alone; with indirect
+// light one plain path a pixel, whose error falls with the time spent on it.
 void addBaselines(Workbench& bench) {
     Contender& first = bench.contenders()[0];
-    const restir::DiSettings settings = first.settings();
-    if (settings.mode == restir::DirectMode::NextEvent) return;
-    restir::DiSettings ris = settings;
-    ris.temporal = false;
-    ris.spatialPasses = 0;
-    restir::DiSettings nee;
-    nee.mode = restir::DirectMode::NextEvent;
-    nee.lightCandidates = matchingSamples(bench, nee, first.milliseconds());
+    const restir::Settings settings = first.settings();
+    if (settings.gi.mode != restir::IndirectMode::Off) {
+        restir::Settings plain = settings;
+        plain.gi.mode = restir::IndirectMode::Path;
+        if (plain.di.mode == restir::DirectMode::Restir) {
+            plain.di.mode = restir::DirectMode::NextEvent;
+            plain.di.lightCandidates = 1;
+        }
+        bench.add(samples::modeText(plain), plain);
+        return;
+    }
+    if (settings.di.mode == restir::DirectMode::NextEvent) return;
+    restir::Settings ris = settings;
+    ris.di.temporal = false;
+    ris.di.spatialPasses = 0;
+    restir::Settings nee;
+    nee.di.mode = restir::DirectMode::NextEvent;
+    nee.di.lightCandidates = matchingSamples(bench, nee, first.milliseconds());
     bench.add("ris", ris);
-    bench.add("nee x " + std::to_string(nee.lightCandidates), nee);
+    bench.add("nee x " + std::to_string(nee.di.lightCandidates), nee);
+}
+
+bool hasHistory(const restir::Settings& settings) {
+    return (settings.di.mode == restir::DirectMode::Restir && settings.di.temporal) ||
+           (settings.gi.mode == restir::IndirectMode::Restir && settings.gi.temporal);
 }
 
 struct Result {
@@ -112,8 +130,7 @@ void run(const Options& options) {
     for (uint32_t seed = 1; seed <= options.seeds; seed += 2) {
         for (size_t i = 0; i < results.size(); ++i) {
             Contender& row = bench.contenders()[i];
-            const bool history = row.settings().mode == restir::DirectMode::Restir && row.settings().temporal;
-            const uint32_t frames = history ? options.scene.frames : 2;
+            const uint32_t frames = hasHistory(row.settings()) ? options.scene.frames : 2;
             const proof::FramePair a = row.render(seed, frames), b = row.render(seed + 1, frames);
             results[i].error +=
                 proof::relativeError(a.last, reference) + proof::relativeError(b.last, reference);
@@ -132,7 +149,8 @@ void addError(CLI::App& app) {
                                            "Error mean((I - R)^2 / (R^2 + 0.01 mean(R)^2)) of a frame, for "
                                            "each row, for its candidates alone (ris) and for "
                                            "next-event estimation (nee) with as many samples as fit the "
-                                           "first row's time; and how much of a frame's noise the "
+                                           "first row's time, or with indirect light for one plain path a "
+                                           "pixel; and how much of a frame's noise the "
                                            "next one repeats.");
     addScene(*command, options->scene);
     command->add_option("--seeds", options->seeds, "independent sequences of each row, an even number (8)")

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common/di_options.h"
+#include "common/setting_options.h"
 
 namespace bench {
 namespace {
@@ -33,11 +33,11 @@ void addScene(CLI::App& command, SceneOptions& options) {
         ->type_name("DEG");
     command.add_option("--animate", options.animation, "one of the scene's animations")->type_name("NAME");
     addRows(command, options.rows);
-    samples::addDiOptions(command, options.di);
+    samples::addSettingOptions(command, options.settings);
 }
 
 Contender::Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
-                     const samples::Sequence& sequence, std::string name, const restir::DiSettings& settings)
+                     const samples::Sequence& sequence, std::string name, const restir::Settings& settings)
     : name_(std::move(name)), settings_(settings), extent_(extent), sequence_(sequence) {
     restir::SessionDesc session{.rayLogCapacity = extent_.width * extent_.height * kLoggedRays};
     samples::declareFor(settings, session);
@@ -55,9 +55,7 @@ proof::FramePair Contender::render(uint32_t seed, uint32_t frames) {
         for (size_t i = 0; i < rgba.size(); ++i)
             if (i % 4 != 3) pair.before.rgb.push_back(rgba[i]);
     };
-    restir::Settings all;
-    all.di = settings_;
-    pair.last = renderer_->render(sequence, all);
+    pair.last = renderer_->render(sequence, settings_);
     double sum = 0;
     for (const samples::PassStats& pass : renderer_->stats().passes) sum += medianOf(pass);
     best_ = std::min(best_, sum);
@@ -83,13 +81,17 @@ Workbench::Workbench(const SceneOptions& options) : extent_(options.extent) {
     std::printf("%s, %ux%u, %zu lights, %s\n", options.scene.c_str(), options.extent.width,
                 options.extent.height, scene_->lights().size(), device_.driver().c_str());
     for (const std::string& text : options.rows) {
-        const proof::Row row = proof::parseRow(text, options.di);
-        add(row.name, samples::parseDi(row.settings));
+        const proof::Row row = proof::parseRow(text, options.settings);
+        add(row.name, samples::parseSettings(row.settings));
     }
-    if (options.rows.empty()) add("di", options.di);
+    if (options.rows.empty()) {
+        restir::Settings settings = options.settings;
+        samples::reuseAlike(settings);
+        add(samples::modeText(settings), settings);
+    }
 }
 
-Contender& Workbench::add(const std::string& name, const restir::DiSettings& settings) {
+Contender& Workbench::add(const std::string& name, const restir::Settings& settings) {
     return contenders_.emplace_back(device_, *scene_, extent_, sequence_, name, settings);
 }
 

@@ -18,7 +18,7 @@ struct SceneOptions {
     uint32_t frames = 30;
     float move = 0.2f;
     std::string animation;
-    restir::DiSettings di;   // of every row, before its own settings
+    restir::Settings settings;   // of every row, before its own settings
     std::vector<std::string> rows;
 };
 void addScene(CLI::App& command, SceneOptions& options);
@@ -27,10 +27,10 @@ void addScene(CLI::App& command, SceneOptions& options);
 class Contender {
 public:
     Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
-              const samples::Sequence& sequence, std::string name, const restir::DiSettings& settings);
+              const samples::Sequence& sequence, std::string name, const restir::Settings& settings);
 
     const std::string& name() const { return name_; }
-    const restir::DiSettings& settings() const { return settings_; }
+    const restir::Settings& settings() const { return settings_; }
     samples::Renderer& renderer() { return *renderer_; }
 
     // The end of a sequence of so many frames, at least two.
@@ -41,7 +41,7 @@ public:
 
 private:
     std::string name_;
-    restir::DiSettings settings_;
+    restir::Settings settings_;
     VkExtent2D extent_;
     samples::Sequence sequence_;
     std::unique_ptr<samples::Renderer> renderer_;
@@ -52,7 +52,7 @@ class Workbench {
 public:
     explicit Workbench(const SceneOptions& options);
 
-    Contender& add(const std::string& name, const restir::DiSettings& settings);
+    Contender& add(const std::string& name, const restir::Settings& settings);
     samples::Device& device() { return device_; }
     samples::GpuScene& scene() { return *scene_; }
     std::deque<Contender>& contenders() { return contenders_; }   // the options' rows first, or "di"

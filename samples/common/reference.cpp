@@ -7,7 +7,7 @@
 namespace samples {
 namespace {
 
-enum Flags : uint32_t { kNextEvent = 1, kJitter = 2 };
+enum Flags : uint32_t { kNextEvent = 1, kJitter = 2, kIndirect = 4 };
 
 // Constants in reference.glsl.
 struct Constants {
@@ -26,7 +26,8 @@ Reference::Reference(const Device& device, GpuScene& scene, VkExtent2D extent)
 
 FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& settings,
                              const std::function<void(uint32_t, uint32_t)>& progress) {
-    const uint32_t flags = (settings.nextEvent ? kNextEvent : 0u) | (sequence.jitters() ? kJitter : 0u);
+    const uint32_t flags = (settings.nextEvent ? kNextEvent : 0u) | (sequence.jitters() ? kJitter : 0u) |
+                           (settings.direct ? 0u : kIndirect);
     FrameCallbacks callbacks;
     callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) {
         scene_.record(cmd, frame.slot, sequence.motion, frame.time, frame.previousTime);

@@ -9,6 +9,7 @@ namespace samples {
 struct ReferenceSettings {
     uint32_t paths = 1;      // per pixel and frame
     uint32_t bounces = 1;    // scattering events; 1: emission plus direct light
+    bool direct = true;      // off: only light scattered at least twice
     bool nextEvent = true;   // off: BSDF sampling alone, which validates the rest; blind to punctual lights
 };
 

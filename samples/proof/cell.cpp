@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <common/di_options.h>
+#include <common/setting_options.h>
 
 namespace proof {
 namespace {
@@ -21,21 +21,22 @@ bool isPowerOfTwo(size_t n) { return (n & (n - 1)) == 0; }
 
 }   // namespace
 
-Row parseRow(const std::string& text, const restir::DiSettings& base) {
+Row parseRow(const std::string& text, const restir::Settings& base) {
     const size_t equals = text.find('=');
     const size_t space = text.find(' ');
     if (equals == std::string::npos || equals == 0)
         throw std::runtime_error("'" + text + "' is not NAME=settings");
     if (space < equals) throw std::runtime_error("'" + text + "': a row's name has no spaces");
     // Read and written again, so that one estimator has one text.
-    return {text.substr(0, equals), samples::diText(samples::parseDi(text.substr(equals + 1), base))};
+    return {text.substr(0, equals),
+            samples::settingsText(samples::parseSettings(text.substr(equals + 1), base))};
 }
 
 std::vector<Row> namedRows(const std::string& table) {
     std::vector<Row> rows;
     if (table == "weights") {
         // Short histories and near neighbours: with the defaults' outliers Off, Basic and Balance want days.
-        const restir::DiSettings base{.maxHistory = 4, .radius = 16};
+        const restir::Settings base{.di = {.maxHistory = 4, .radius = 16}};
         for (const std::string weights : {"off", "basic", "balance", "pairwise"})
             for (const std::string visibility : {"none", "cached", "traced"})
                 rows.push_back(parseRow(
@@ -46,27 +47,47 @@ std::vector<Row> namedRows(const std::string& table) {
     } else if (table == "options") {
         for (const char* row :
              {"plain=weights=plain", "fused=fused=on", "paired=paired-neighbours=on",
-              "rounds=initial-samples=4 candidates=4", "two-passes=spatial-passes=2", "no-average=average=off",
-              "no-bsdf=bsdf-candidates=0", "no-temporal=temporal=off", "no-spatial=spatial-passes=0",
-              "permuted=permute-history=on", "checkerboard=checkerboard=on", "boiling=boiling-filter=0.5",
-              "nee=mode=nee"})
+              "rounds=initial-samples=4 candidates=4", "two-passes=spatial-passes=2",
+              "no-average=average=off", "no-bsdf=bsdf-candidates=0", "no-temporal=temporal=off",
+              "no-spatial=spatial-passes=0", "permuted=permute-history=on", "checkerboard=checkerboard=on",
+              "boiling=boiling-filter=0.5", "nee=mode=nee"})
             rows.push_back(parseRow(row));
+    } else if (table == "indirect") {
+        for (const char* row :
+             {"gi=mode=gi", "gi-pairwise-traced=mode=gi-only",
+              "gi-pairwise-cached=mode=gi-only visibility=cached",
+              "gi-balance-traced=mode=gi-only weights=balance", "gi-basic-traced=mode=gi-only weights=basic",
+              "gi-off-cached=mode=gi-only weights=off visibility=cached", "pt-only=mode=pt-only"})
+            rows.push_back(parseRow(row, {.di = {.maxHistory = 4, .radius = 16}}));
     } else {
-        throw std::runtime_error("'" + table + "' is no table, known: weights presets options");
+        throw std::runtime_error("'" + table + "' is no table, known: weights presets options indirect");
     }
     return rows;
 }
 
-bool Subject::samePlace(const Subject& other) const {
-    return scene == other.scene && width == other.width && height == other.height &&
-           scenario == other.scenario && row == other.row;
+std::string Transport::name() const {
+    if (bounces == 1) return "";
+    return (direct ? "light of " : "indirect light of ") + std::to_string(bounces) + " bounces";
 }
 
-std::string Subject::title() const { return (row.empty() ? "reference" : row) + " / " + scenario; }
+Transport transportOf(const restir::Settings& settings) {
+    if (settings.gi.mode == restir::IndirectMode::Off) return {};
+    return {.bounces = settings.gi.bounces, .direct = settings.di.mode != restir::DirectMode::Off};
+}
+
+bool Subject::samePlace(const Subject& other) const {
+    return scene == other.scene && width == other.width && height == other.height &&
+           scenario == other.scenario && transport == other.transport && row == other.row;
+}
+
+std::string Subject::title() const {
+    const std::string reference = transport.empty() ? "reference" : "reference of " + transport;
+    return (row.empty() ? reference : row) + " / " + scenario;
+}
 
 uint32_t Subject::seed(size_t index) const {
     uint32_t hash = 2166136261u;   // FNV-1a of what names the subject
-    for (const char c : scene + '/' + scenario + '/' + row)
+    for (const char c : scene + '/' + scenario + '/' + transport + row)
         hash = (hash ^ static_cast<uint8_t>(c)) * 16777619u;
     return hash + static_cast<uint32_t>(index);
 }
@@ -78,6 +99,7 @@ Subject subjectOf(const std::string& scene, VkExtent2D extent, const Scenario& s
             .scenario = scenario.name,
             .frames = scenario.frames,
             .warmUp = scenario.warmUp,
+            .transport = transportOf(samples::parseSettings(row.settings)).name(),
             .row = row.name,
             .settings = row.settings};
 }

@@ -14,14 +14,25 @@
 
 namespace proof {
 
-// An estimator by its name and settings (samples::parseDi()).
+// An estimator by its name and settings (samples::parseSettings()).
 struct Row {
     std::string name, settings;
 };
 // "NAME=settings", which change `base`. Throws std::runtime_error.
-Row parseRow(const std::string& text, const restir::DiSettings& base = {});
-// The rows of a table that restir-bench knows by name: "weights", "presets", "options". Throws std::runtime_error.
+Row parseRow(const std::string& text, const restir::Settings& base = {});
+// The rows of a table that restir-bench knows by name: "weights", "presets", "options", "indirect". Throws
+// std::runtime_error.
 std::vector<Row> namedRows(const std::string& table);
+
+// What light a picture shows.
+struct Transport {
+    uint32_t bounces = 1;
+    bool direct = true;   // light scattered once, too
+
+    std::string name() const;   // direct light's is empty
+    bool operator==(const Transport&) const = default;
+};
+Transport transportOf(const restir::Settings& settings);
 
 // What a cell's or a reference's statistics depend on.
 struct Subject {
@@ -29,9 +40,10 @@ struct Subject {
     uint32_t width = 0, height = 0;
     std::string scenario;
     uint32_t frames = 0, warmUp = 0;
+    std::string transport;       // its name
     std::string row, settings;   // of a reference: empty, and its paths per picture
 
-    bool samePlace(const Subject& other) const;   // scene, size, scenario and row: what names it in a file
+    bool samePlace(const Subject& other) const;   // all but frames and settings: what names it in a file
     bool operator==(const Subject&) const = default;
     std::string title() const;           // "ROW / SCENARIO"
     uint32_t seed(size_t index) const;   // of sequence `index`, this subject's own

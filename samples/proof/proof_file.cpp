@@ -20,9 +20,9 @@ constexpr const char* kCommit =
     ;
 
 Json toJson(const Subject& s) {
-    return {{"scene", s.scene},      {"size", {s.width, s.height}}, {"scenario", s.scenario},
-            {"frames", s.frames},    {"warmUp", s.warmUp},          {"row", s.row},
-            {"settings", s.settings}};
+    return {{"scene", s.scene},   {"size", {s.width, s.height}}, {"scenario", s.scenario},
+            {"frames", s.frames}, {"warmUp", s.warmUp},          {"transport", s.transport},
+            {"row", s.row},       {"settings", s.settings}};
 }
 
 Subject subjectFrom(const Json& json) {
@@ -32,6 +32,7 @@ Subject subjectFrom(const Json& json) {
             .scenario = json.at("scenario"),
             .frames = json.at("frames"),
             .warmUp = json.at("warmUp"),
+            .transport = json.value("transport", ""),   // files from before there was indirect light
             .row = json.at("row"),
             .settings = json.at("settings")};
 }
@@ -190,7 +191,7 @@ Cell* ProofFile::findCell(const Subject& subject) {
 std::string ProofFile::pictureName(const Subject& subject, const char* what, size_t sequences) const {
     std::string name = subject.scene + "-" + std::to_string(subject.width) + "x" +
                        std::to_string(subject.height) + "-" + subject.scenario + "-" +
-                       (subject.row.empty() ? "reference" : subject.row);
+                       (subject.row.empty() ? "reference" + subject.transport : subject.row);
     for (char& c : name)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';
     return path_ + ".pictures/" + name + "-" + std::to_string(sequences) + "-" + what + ".exr";

@@ -109,17 +109,16 @@ Take Prover::take(const Scenario& scenario, samples::Sequence sequence, const Re
     return collector.finish();
 }
 
-Take Prover::di(const Scenario& scenario, const restir::DiSettings& settings, uint32_t seed) {
-    return take(scenario, sequenceOf(scenario, seed, false), [&](const samples::Sequence& sequence) {
-        restir::Settings all;
-        all.di = settings;
-        renderer_->render(sequence, all);
-    });
+Take Prover::estimate(const Scenario& scenario, const restir::Settings& settings, uint32_t seed) {
+    return take(scenario, sequenceOf(scenario, seed, false),
+                [&](const samples::Sequence& sequence) { renderer_->render(sequence, settings); });
 }
 
-Take Prover::reference(const Scenario& scenario, uint32_t paths, uint32_t seed) {
+Take Prover::reference(const Scenario& scenario, const Transport& transport, uint32_t paths, uint32_t seed) {
+    const samples::ReferenceSettings settings{
+        .paths = paths, .bounces = transport.bounces, .direct = transport.direct};
     return take(scenario, sequenceOf(scenario, seed, true),
-                [&](const samples::Sequence& sequence) { reference_->render(sequence, {.paths = paths}); });
+                [&](const samples::Sequence& sequence) { reference_->render(sequence, settings); });
 }
 
 }   // namespace proof

@@ -10,8 +10,7 @@
 #include <common/reference.h>
 #include <common/renderer.h>
 
-#include "proof/measures.h"
-#include "proof/scenario.h"
+#include "proof/cell.h"
 
 namespace proof {
 
@@ -21,9 +20,9 @@ public:
     Prover(samples::Device& device, samples::SceneData scene, VkExtent2D extent,
            const restir::SessionDesc& session);
 
-    Take di(const Scenario& scenario, const restir::DiSettings& settings, uint32_t seed);
+    Take estimate(const Scenario& scenario, const restir::Settings& settings, uint32_t seed);
     // `paths` per pixel and picture. Where nothing changes it makes one picture for all frames.
-    Take reference(const Scenario& scenario, uint32_t paths, uint32_t seed);
+    Take reference(const Scenario& scenario, const Transport& transport, uint32_t paths, uint32_t seed);
 
     VkExtent2D extent() const { return extent_; }
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <common/di_options.h>
+#include <common/setting_options.h>
 
 namespace proof {
 namespace {
@@ -55,7 +55,8 @@ public:
     }
 
     void run() {
-        for (const Scenario& scenario : plan_.scenarios) makeReference(scenario);
+        for (const Scenario& scenario : plan_.scenarios)
+            for (const Transport& transport : transports_) makeReference(scenario, transport);
         bool some = true;
         while (some && !late()) {
             some = false;
@@ -66,8 +67,9 @@ public:
     }
 
 private:
-    Subject referenceSubject(const Scenario& scenario) const {
+    Subject referenceSubject(const Scenario& scenario, const Transport& transport) const {
         Subject subject = subjectOf(plan_.scene, plan_.extent, scenario, {});
+        subject.transport = transport.name();
         subject.settings = std::to_string(paths(scenario)) + " paths";
         return subject;
     }
@@ -77,16 +79,22 @@ private:
     }
 
     void prepare() {
+        for (const Row& row : plan_.rows) {
+            const Transport transport = transportOf(samples::parseSettings(row.settings));
+            if (std::find(transports_.begin(), transports_.end(), transport) == transports_.end())
+                transports_.push_back(transport);
+        }
         for (const Scenario& scenario : plan_.scenarios) {
-            reconcile(file_.references, referenceSubject(scenario), plan_.stale);
+            for (const Transport& transport : transports_)
+                reconcile(file_.references, referenceSubject(scenario, transport), plan_.stale);
             for (const Row& row : plan_.rows)
                 reconcile(file_.cells, subjectOf(plan_.scene, plan_.extent, scenario, row), plan_.stale);
         }
         file_.save();
     }
 
-    void makeReference(const Scenario& scenario) {
-        const Subject subject = referenceSubject(scenario);
+    void makeReference(const Scenario& scenario, const Transport& transport) {
+        const Subject subject = referenceSubject(scenario, transport);
         Reference* reference = file_.findReference(subject);
         if (!reference) {
             file_.references.push_back({.subject = subject, .commit = builtCommit()});
@@ -94,8 +102,9 @@ private:
         }
         while (reference->sequences() < plan_.reference.sequences) {
             const size_t n = reference->sequences();
-            const Take first = prover_.reference(scenario, paths(scenario), subject.seed(n));
-            reference->add(first, prover_.reference(scenario, paths(scenario), subject.seed(n + 1)));
+            const Take first = prover_.reference(scenario, transport, paths(scenario), subject.seed(n));
+            reference->add(first,
+                           prover_.reference(scenario, transport, paths(scenario), subject.seed(n + 1)));
             char line[160];
             const Estimate mean = reference->mean.luminanceMean();
             std::snprintf(line, sizeof line, "%s: %zu of %zu sequences, standard error %.3f %%",
@@ -131,13 +140,13 @@ private:
         }
         const Reference& reference = file_.referenceOf(*cell);
         if (late() || enough(*cell, reference)) return false;
-        const restir::DiSettings settings = samples::parseDi(row.settings);
+        const restir::Settings settings = samples::parseSettings(row.settings);
         const Clock::time_point start = Clock::now();
         for (size_t i = 0; i < plan_.batch; i += 2) {
             if (plan_.limits.sequences > 0 && cell->sequences() >= plan_.limits.sequences) break;
             const size_t n = cell->sequences();
-            const Take first = prover_.di(scenario, settings, subject.seed(n));
-            cell->add(first, prover_.di(scenario, settings, subject.seed(n + 1)), reference);
+            const Take first = prover_.estimate(scenario, settings, subject.seed(n));
+            cell->add(first, prover_.estimate(scenario, settings, subject.seed(n + 1)), reference);
         }
         cell->seconds += secondsSince(start);
         report(*cell, reference);
@@ -162,6 +171,7 @@ private:
     ProofFile& file_;
     Prover& prover_;
     const std::function<void(const std::string&)>& say_;
+    std::vector<Transport> transports_;   // of the plan's rows
     Clock::time_point start_ = Clock::now(), saved_ = start_;
 };
 

@@ -31,8 +31,9 @@ void printNeighbours() {
 }
 
 void printView(const Options& options) {
-    const double most = double(options.di.maxHistory + 1) * double(options.di.neighbours + 1);
-    switch (options.debug) {
+    const double most =
+        double(options.settings.di.maxHistory + 1) * double(options.settings.di.neighbours + 1);
+    switch (options.settings.debugView) {
         case DebugView::None:
             return;
         case DebugView::Confidence:
@@ -66,11 +67,12 @@ void printView(const Options& options) {
 }   // namespace
 
 void printLegend(const Options& options) {
-    if (options.debug == DebugView::None) return;
+    if (options.settings.debugView == DebugView::None) return;
     std::printf("\ndebug: ");
     printView(options);
     line("black", "no surface, A: 0");
-    if (options.debug != DebugView::Confidence && options.debug != DebugView::Neighbours)
+    if (options.settings.debugView != DebugView::Confidence &&
+        options.settings.debugView != DebugView::Neighbours)
         line("grey", "no sample, A: -1");
 }
 

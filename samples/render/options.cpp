@@ -1,5 +1,6 @@
 #include "render/options.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <map>
@@ -9,7 +10,7 @@
 
 #include <restir/version.h>
 
-#include "common/di_options.h"
+#include "common/setting_options.h"
 
 namespace render {
 namespace {
@@ -50,19 +51,14 @@ struct Texts {
     std::string size, eye, target, nextEvent;
 };
 
-const std::map<std::string, Mode> kModes = {
-    {"reference", Mode::Reference}, {"nee", Mode::NextEvent}, {"ris", Mode::Ris},           {"di", Mode::Di},
-    {"gi", Mode::Gi},               {"gi-only", Mode::GiOnly}, {"pt-plain", Mode::PlainPath}};
-
-const std::map<std::string, restir::DebugView> kDebugViews = {
-    {"age", restir::DebugView::Age},
-    {"confidence", restir::DebugView::Confidence},
-    {"duplicates", restir::DebugView::Duplicates},
-    {"light", restir::DebugView::Light},
-    {"neighbours", restir::DebugView::Neighbours},
-    {"samples", restir::DebugView::Samples},
-    {"visibility", restir::DebugView::Visibility},
-    {"weight", restir::DebugView::Weight}};
+const std::map<std::string, restir::DebugView> kDebugViews = {{"age", restir::DebugView::Age},
+                                                              {"confidence", restir::DebugView::Confidence},
+                                                              {"duplicates", restir::DebugView::Duplicates},
+                                                              {"light", restir::DebugView::Light},
+                                                              {"neighbours", restir::DebugView::Neighbours},
+                                                              {"samples", restir::DebugView::Samples},
+                                                              {"visibility", restir::DebugView::Visibility},
+                                                              {"weight", restir::DebugView::Weight}};
 
 // An option whose value is one of a map's keys.
 template <class T>
@@ -111,7 +107,8 @@ void addPicture(CLI::App& app, Options& options, Texts& texts) {
         ->excludes(camera);
     app.add_option("--fov", options.fov, "vertical field of view (45)")->type_name("DEG")->excludes(camera);
     app.add_flag("--lambert", options.lambert, "make every material a diffuse one of its base colour");
-    auto* environment = app.add_option("--env", options.environment, "environment map: a file, or builtin:sky");
+    auto* environment =
+        app.add_option("--env", options.environment, "environment map: a file, or builtin:sky");
     environment->type_name("FILE.hdr|.exr");
     app.add_option("--env-rotation", options.environmentRotation, "turns the map about the vertical")
         ->type_name("DEG")
@@ -127,13 +124,17 @@ void addPicture(CLI::App& app, Options& options, Texts& texts) {
 }
 
 void addEstimator(CLI::App& app, Options& options, Texts& texts) {
-    addChoice(app, "--mode", options.mode, kModes, "estimator (di)");
+    app.add_option("--mode", options.mode,
+                   "the path tracer that shares nothing with the SDK (reference), candidates alone (ris), " +
+                       samples::settingOption("mode").help)
+        ->type_name("reference|ris|" + samples::settingOption("mode").values);
     app.add_option("--spp", options.spp, "reference: paths, nee: lights, per pixel and frame")
         ->check(CLI::Range(1u, 65536u));
-    app.add_option("--bounces", options.bounces, "scattering events of a path (reference: 1; gi, gi-only, pt-plain: 3)")
+    app.add_option("--bounces", options.bounces,
+                   "scattering events of a path (reference: 1; gi, gi-only, pt-plain: 3)")
         ->check(CLI::Range(1u, 64u));
-    samples::addDiOptions(app, options.di);
-    addChoice(app, "--debug", options.debug, kDebugViews,
+    samples::addSettingOptions(app, options.settings);
+    addChoice(app, "--debug", options.settings.debugView, kDebugViews,
               "show what the last frame's reservoirs hold: colours, and in the EXR's channel A numbers");
     app.add_flag("!--no-previous-tlas", options.previousTlas,
                  "keep last frame's acceleration structure from the library");
@@ -152,58 +153,42 @@ void applySize(Options& options, const std::string& text) {
     options.size = {size[0], size[1]};
 }
 
-// What says how direct light is reused holds for indirect light, too.
 void applyIndirect(Options& options) {
-    const bool indirect = options.mode == Mode::Gi || options.mode == Mode::GiOnly || options.mode == Mode::PlainPath;
-    if (options.mode == Mode::Reference && options.bounces == 0) options.bounces = 1;
-    if (!indirect) {
-        if (options.mode != Mode::Reference && options.bounces > 1)
-            throw std::runtime_error("--bounces: --mode " + options.modeName + " does not follow light further than one bounce");
+    const restir::GiSettings& gi = options.settings.gi;
+    if (gi.mode == restir::IndirectMode::Off) {
+        if (!options.reference() && options.bounces > 1)
+            throw std::runtime_error("--bounces: --mode " + options.mode +
+                                     " does not follow light further than one bounce");
+        options.bounces = std::max(options.bounces, 1u);
         return;
     }
-    restir::GiSettings& gi = options.gi;
-    if (options.bounces == 1) throw std::runtime_error("--bounces: indirect light is scattered twice at least");
-    if (options.bounces > 0) gi.bounces = options.bounces;
-    const restir::DiSettings& di = options.di;
-    gi.mode = options.mode == Mode::PlainPath ? restir::IndirectMode::Path : restir::IndirectMode::Restir;
-    gi.weights = di.weights;
-    gi.visibility = di.visibility;
-    if (gi.visibility == restir::VisibilityReuse::None)
+    if (options.bounces == 1)
+        throw std::runtime_error("--bounces: indirect light is scattered twice at least");
+    if (options.bounces > 0) options.settings.gi.bounces = options.bounces;
+    if (gi.mode == restir::IndirectMode::Restir &&
+        options.settings.di.visibility == restir::VisibilityReuse::None)
         throw std::runtime_error("--visibility: 'none' does not exist for indirect light");
-    gi.temporal = di.temporal;
-    gi.maxHistory = di.maxHistory;
-    gi.spatialPasses = di.spatialPasses;
-    gi.neighbours = di.neighbours;
-    gi.radius = di.radius;
-    gi.normalThreshold = di.normalThreshold;
-    gi.depthThreshold = di.depthThreshold;
-    gi.averageShading = di.averageShading;
-    if (options.mode == Mode::GiOnly) options.di.mode = restir::DirectMode::Off;
-    if (options.mode == Mode::PlainPath) {   // direct light by one light a pixel, likewise
-        options.di.mode = restir::DirectMode::NextEvent;
-        options.di.lightCandidates = options.spp;
-    }
 }
 
 void applyMode(Options& options) {
-    for (const auto& [name, mode] : kModes) {
-        if (mode == options.mode) options.modeName = name;
+    restir::DiSettings& di = options.settings.di;
+    const samples::SettingOption& mode = samples::settingOption("mode");
+    if (!options.reference() && options.mode != "ris" && !mode.set(options.settings, options.mode))
+        throw std::runtime_error("--mode: '" + options.mode + "' is none of reference|ris|" + mode.values);
+    if (options.mode == "ris") {
+        di.temporal = false;
+        di.spatialPasses = 0;
     }
-    if (options.mode == Mode::Ris) {
-        options.di.temporal = false;
-        options.di.spatialPasses = 0;
-    }
-    if (options.mode == Mode::NextEvent) {
-        options.di.mode = restir::DirectMode::NextEvent;
-        options.di.lightCandidates = options.spp;
-    }
-    if (options.debug != restir::DebugView::None) {
-        if (options.di.mode != restir::DirectMode::Restir || options.mode == Mode::Reference)
-            throw std::runtime_error("--debug: only --mode di and ris have reservoirs to show");
-        if (options.accumulate) throw std::runtime_error("--debug: shows one frame, not the mean of --accumulate");
+    if (di.mode == restir::DirectMode::NextEvent) di.lightCandidates = options.spp;
+    if (options.debugs()) {
+        if (di.mode != restir::DirectMode::Restir || options.reference())
+            throw std::runtime_error("--debug: only --mode di, ris and gi have reservoirs to show");
+        if (options.accumulate)
+            throw std::runtime_error("--debug: shows one frame, not the mean of --accumulate");
     }
     applyIndirect(options);
-    const bool settles = options.mode == Mode::Di || options.gi.mode == restir::IndirectMode::Restir;
+    samples::reuseAlike(options.settings);
+    const bool settles = options.mode == "di" || options.settings.gi.mode == restir::IndirectMode::Restir;
     if (options.frames == 0) options.frames = settles ? kSettlingFrames : 1;
 }
 

@@ -13,22 +13,19 @@
 
 namespace render {
 
-enum class Mode : uint8_t { Reference, NextEvent, Ris, Di, Gi, GiOnly, PlainPath };
-
 struct Options {
     std::string scene;
-    std::string environment;            // empty: none
-    float environmentRotation = 0;      // degrees
+    std::string environment;         // empty: none
+    float environmentRotation = 0;   // degrees
     float environmentScale = 1;
     VkExtent2D size{640, 360};
-    Mode mode = Mode::Di;
-    std::string modeName = "di";
-    uint32_t frames = 0;   // 0: as many as the mode needs to settle
+    std::string mode = "di";   // "reference", "ris", or one that samples::modeText() knows
+    uint32_t frames = 0;       // 0: as many as the mode needs to settle
     uint32_t spp = 1;
     uint32_t bounces = 0;   // 0: as many as the mode has by itself
-    restir::DiSettings di;
-    restir::GiSettings gi;
-    restir::DebugView debug = restir::DebugView::None;
+    restir::Settings settings;
+    bool reference() const { return mode == "reference"; }
+    bool debugs() const { return settings.debugView != restir::DebugView::None; }
     bool accumulate = false;
     bool lambert = false;
     bool validate = false;

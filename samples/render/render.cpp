@@ -6,9 +6,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "common/di_options.h"
 #include "common/reference.h"
 #include "common/renderer.h"
+#include "common/setting_options.h"
 #include "common/sky.h"
 
 namespace render {
@@ -42,14 +42,9 @@ samples::FloatImage renderReference(const Options& options, const samples::Devic
 samples::FloatImage renderSdk(const Options& options, samples::Device& device, samples::GpuScene& scene,
                               const samples::Sequence& sequence, Report& report) {
     restir::SessionDesc session;
-    samples::declareFor(options.di, session);
-    session.indirect = options.gi.mode == restir::IndirectMode::Restir;
+    samples::declareFor(options.settings, session);
     samples::Renderer renderer(device, scene, options.size, session);
-    restir::Settings settings;
-    settings.di = options.di;
-    settings.gi = options.gi;
-    settings.debugView = options.debug;
-    samples::FloatImage image = renderer.render(sequence, settings, Progress(options.quiet));
+    samples::FloatImage image = renderer.render(sequence, options.settings, Progress(options.quiet));
     report.passes = renderer.stats().passes;
     report.raysPerFrame = renderer.stats().counters.rays;
     report.rejectedWeights = renderer.stats().counters.rejectedWeights;
@@ -95,9 +90,8 @@ Outcome render(const Options& options) {
         report.emissiveTriangles = scene.emissiveTriangleCount();
         report.lights = scene.lights().size();
         const auto start = std::chrono::steady_clock::now();
-        const bool reference = options.mode == Mode::Reference;
-        outcome.image = reference ? renderReference(options, device, scene, sequence, report)
-                                  : renderSdk(options, device, scene, sequence, report);
+        outcome.image = options.reference() ? renderReference(options, device, scene, sequence, report)
+                                            : renderSdk(options, device, scene, sequence, report);
         report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     report.validationMessages = device.validationMessages();
@@ -113,9 +107,9 @@ void writeFiles(const Options& options, const Outcome& outcome) {
     };
     try {
         write(options.exr, [&](const std::string& path) { samples::writeExr(path, outcome.image); });
-        const bool colors = options.debug != restir::DebugView::None;
         write(options.png, [&](const std::string& path) {
-            colors ? samples::writeColorsPng(path, outcome.image) : samples::writePng(path, outcome.image);
+            options.debugs() ? samples::writeColorsPng(path, outcome.image)
+                             : samples::writePng(path, outcome.image);
         });
         write(options.stats,
               [&](const std::string& path) { writeText(path, toJson(options, outcome.report)); });

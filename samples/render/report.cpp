@@ -56,7 +56,7 @@ void printTable(const Options& options, const Report& report) {
                 static_cast<unsigned long long>(report.emissiveTriangles),
                 static_cast<unsigned long long>(report.lights));
     std::printf("%ux%u, %u frames in %.1f s, mode %s, on %s\n", options.size.width, options.size.height,
-                options.frames, report.seconds, options.modeName.c_str(), report.device.c_str());
+                options.frames, report.seconds, options.mode.c_str(), report.device.c_str());
     if (!report.passes.empty())
         std::printf("\n%-20s %10s %10s %10s\n", "pass, GPU ms", "min", "median", "max");
     double total = 0;
@@ -102,7 +102,7 @@ std::string toJson(const Options& options, const Report& report) {
         {"size", {options.size.width, options.size.height}},
         {"frames", options.frames},
         {"seed", options.seed},
-        {"mode", options.modeName},
+        {"mode", options.mode},
         {"passes", passes},
         {"raysPerFrame", report.raysPerFrame},
         {"memory", {{"totalBytes", sums.total}, {"bytesPerPixel", sums.perPixel}, {"buffers", buffers}}},

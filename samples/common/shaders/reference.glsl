@@ -23,6 +23,7 @@ layout(push_constant, scalar) uniform Constants {
 
 const uint kNextEvent = 1u;   // off: BSDF sampling alone finds the lights
 const uint kJitter = 2u;      // paths spread over the pixel instead of through its centre
+const uint kIndirect = 4u;    // only light that was scattered twice at least
 // Ray origins leave the surface by this much of the largest coordinate: some hundred float roundings.
 const float kRayOffset = 4e-5;
 const float kLeastCosine = 1e-3;   // between shading normal and view, see vertexFrame()
@@ -105,6 +106,7 @@ vec3 lightContribution(Vertex v, out vec3 target) {
 // driver a second call site costs as much compile time as the rest.
 vec3 tracePath(vec3 origin, vec3 direction, inout uint rays) {
     bool nextEvent = (flags & kNextEvent) != 0u && lightCount > 0u;
+    uint leastScattered = (flags & kIndirect) != 0u ? 2u : 0u;
     vec3 radiance = vec3(0.0), throughput = vec3(1.0), pending = vec3(0.0);
     vec3 nextOrigin, nextDirection;
     float pdf = 0.0, tMax = 1e30;   // pdf 0: a camera ray, all of whose emission counts
@@ -120,13 +122,14 @@ vec3 tracePath(vec3 origin, vec3 direction, inout uint rays) {
             if (!hit.found) {
                 if (!hasSky()) break;
                 float lightPdf = pdf > 0.0 && nextEvent ? skyPdf(direction) / float(lightCount) : 0.0;
-                radiance += throughput * skyRadiance(direction) * (pdf > 0.0 ? pdf / (pdf + lightPdf) : 1.0);
+                if (scattered >= leastScattered)
+                    radiance += throughput * skyRadiance(direction) * (pdf > 0.0 ? pdf / (pdf + lightPdf) : 1.0);
                 break;
             }
             Surface s = sceneSurface(hit);
             vec3 toOrigin = -normalize(direction);
             vec3 emission = sceneEmission(s, toOrigin);
-            if (emission != vec3(0.0)) {
+            if (emission != vec3(0.0) && scattered >= leastScattered) {
                 float lightPdf = pdf > 0.0 && nextEvent ? trianglePdf(s, origin) / float(lightCount) : 0.0;
                 radiance += throughput * emission * (pdf > 0.0 ? pdf / (pdf + lightPdf) : 1.0);
             }
@@ -134,7 +137,7 @@ vec3 tracePath(vec3 origin, vec3 direction, inout uint rays) {
             ++scattered;
             Vertex v = makeVertex(s, toOrigin);
             vec3 target = vec3(0.0);
-            pending = nextEvent ? throughput * lightContribution(v, target) : vec3(0.0);
+            pending = nextEvent && scattered >= leastScattered ? throughput * lightContribution(v, target) : vec3(0.0);
             vec3 local = bsdfSample(v.bsdf, v.view, random4().xyz);
             nextOrigin = v.origin;
             nextDirection = v.worldFromLocal * local;

@@ -5,18 +5,18 @@
 
 #include <CLI/CLI.hpp>
 
-#include <common/di_options.h>
+#include <common/setting_options.h>
 
 namespace tests {
 namespace {
 
-using restir::DiSettings;
-using samples::diOptions;
-using samples::diText;
-using samples::parseDi;
+using restir::Settings;
+using samples::parseSettings;
+using samples::settingOptions;
+using samples::settingsText;
 
 // A value that the defaults do not have.
-std::string another(const samples::DiOption& option) {
+std::string another(const samples::SettingOption& option) {
     const std::string now = option.get({});
     const size_t bar = option.values.find('|');
     if (bar == std::string::npos) return now == "7" ? "8" : "7";
@@ -24,10 +24,10 @@ std::string another(const samples::DiOption& option) {
     return first != now ? first : option.values.substr(bar + 1, option.values.find('|', bar + 1) - bar - 1);
 }
 
-DiSettings parseLine(const std::string& line) {
-    DiSettings settings;
+Settings parseLine(const std::string& line) {
+    Settings settings;
     CLI::App app;
-    samples::addDiOptions(app, settings);
+    samples::addSettingOptions(app, settings);
     app.parse(line);
     return settings;
 }
@@ -41,27 +41,29 @@ std::string whatOf(const std::function<void()>& thrower) {
     return "";
 }
 
-TEST(DiOptions, TextsAndBack) {
-    EXPECT_EQ(diText({}), "weights=pairwise visibility=traced");
-    EXPECT_EQ(diText(parseDi("radius=6  visibility=none")), "weights=pairwise visibility=none radius=6");
-    EXPECT_EQ(diText(parseDi("mode=nee candidates=12")), "mode=nee candidates=12");
-    EXPECT_EQ(parseDi("radius=6.25", parseDi("neighbours=3")).neighbours, 3u);
+TEST(SettingOptions, TextsAndBack) {
+    EXPECT_EQ(settingsText({}), "weights=pairwise visibility=traced");
+    EXPECT_EQ(settingsText(parseSettings("radius=6  visibility=none")),
+              "weights=pairwise visibility=none radius=6");
+    EXPECT_EQ(settingsText(parseSettings("mode=nee candidates=12")), "mode=nee candidates=12");
+    EXPECT_EQ(parseSettings("radius=6.25", parseSettings("neighbours=3")).di.neighbours, 3u);
     std::string all;
     std::set<std::string> names;
-    for (const samples::DiOption& option : diOptions()) {
+    for (const samples::SettingOption& option : settingOptions()) {
         EXPECT_TRUE(names.insert(option.name).second) << option.name;
         all += option.name + "=" + another(option) + " ";
     }
-    const DiSettings changed = parseDi(all);
-    for (const samples::DiOption& option : diOptions()) {
+    const Settings changed = parseSettings(all);
+    for (const samples::SettingOption& option : settingOptions()) {
         EXPECT_EQ(option.get(changed), another(option)) << option.name;
-        EXPECT_EQ(option.get(parseDi(diText(parseDi(option.name + "=" + another(option))))), another(option))
+        EXPECT_EQ(option.get(parseSettings(settingsText(parseSettings(option.name + "=" + another(option))))),
+                  another(option))
             << option.name;
     }
 }
 
-TEST(DiOptions, CommandLines) {
-    for (const samples::DiOption& option : diOptions()) {
+TEST(SettingOptions, CommandLines) {
+    for (const samples::SettingOption& option : settingOptions()) {
         if (option.values == "on|off") {
             EXPECT_EQ(option.get(parseLine("--" + option.name)), "on");
             EXPECT_EQ(option.get(parseLine("--no-" + option.name)), "off");
@@ -69,10 +71,10 @@ TEST(DiOptions, CommandLines) {
             EXPECT_EQ(option.get(parseLine("--" + option.name + " " + another(option))), another(option));
         }
     }
-    EXPECT_EQ(parseLine("--no-spatial").spatialPasses, 0u);
+    EXPECT_EQ(parseLine("--no-spatial").di.spatialPasses, 0u);
 }
 
-TEST(DiOptions, PresetsAreWhatToStartFrom) {
+TEST(SettingOptions, PresetsAreWhatToStartFrom) {
     using restir::Preset;
     const std::pair<const char*, Preset> presets[] = {{"fast", Preset::Fast},
                                                       {"balanced", Preset::Balanced},
@@ -80,25 +82,27 @@ TEST(DiOptions, PresetsAreWhatToStartFrom) {
                                                       {"unbiased", Preset::Unbiased}};
     std::set<std::string> texts;
     for (const auto& [name, preset] : presets) {
-        const DiSettings settings = restir::presetSettings(preset);
-        const std::string text = diText(settings);
+        const Settings settings{.di = restir::presetSettings(preset)};
+        const std::string text = settingsText(settings);
         EXPECT_TRUE(texts.insert(text).second) << name << " is like another";
-        EXPECT_EQ(diText(parseDi(std::string("preset=") + name)), text);
-        EXPECT_EQ(diText(parseDi(text)), text);
-        EXPECT_EQ(diText(parseLine(std::string("--max-history 3 --preset ") + name)), diText(parseDi("max-history=3", settings)));
+        EXPECT_EQ(settingsText(parseSettings(std::string("preset=") + name)), text);
+        EXPECT_EQ(settingsText(parseSettings(text)), text);
+        EXPECT_EQ(settingsText(parseLine(std::string("--max-history 3 --preset ") + name)),
+                  settingsText(parseSettings("max-history=3", settings)));
         restir::SessionDesc desc;
         samples::declareFor(settings, desc);
         EXPECT_LE(desc.pairedNeighbours, restir::kPresetPartners);
     }
-    EXPECT_EQ(whatOf([] { parseDi("preset=best"); }), "preset: 'best' is none of fast|balanced|quality|unbiased");
+    EXPECT_EQ(whatOf([] { parseSettings("preset=best"); }),
+              "preset: 'best' is none of fast|balanced|quality|unbiased");
 }
 
-TEST(DiOptions, RefusalsNameTheCulprit) {
-    EXPECT_EQ(whatOf([] { parseDi("weights=best"); }),
+TEST(SettingOptions, RefusalsNameTheCulprit) {
+    EXPECT_EQ(whatOf([] { parseSettings("weights=best"); }),
               "weights: 'best' is none of off|basic|balance|pairwise|plain");
-    EXPECT_EQ(whatOf([] { parseDi("radius=6px"); }), "radius: '6px' is no number it can take");
-    EXPECT_EQ(whatOf([] { parseDi("neighbours"); }), "neighbours: '' is no number it can take");
-    EXPECT_EQ(whatOf([] { parseDi("colour=red"); }).substr(0, 29), "'colour' is no setting, known");
+    EXPECT_EQ(whatOf([] { parseSettings("radius=6px"); }), "radius: '6px' is no number it can take");
+    EXPECT_EQ(whatOf([] { parseSettings("neighbours"); }), "neighbours: '' is no number it can take");
+    EXPECT_EQ(whatOf([] { parseSettings("colour=red"); }).substr(0, 29), "'colour' is no setting, known");
     EXPECT_EQ(whatOf([] { parseLine("--candidates many"); }),
               "--candidates: 'many' is no number it can take");
 }

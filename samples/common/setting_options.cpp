@@ -1,0 +1,280 @@
+#include "common/setting_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+namespace samples {
+namespace {
+
+using restir::DirectMode;
+using restir::DiSettings;
+using restir::GiSettings;
+using restir::IndirectMode;
+using restir::Settings;
+using restir::VisibilityReuse;
+using restir::Weights;
+
+constexpr const char* kOnOff = "on|off";
+
+template <class T>
+T& at(Settings& settings, T DiSettings::*field) {
+    return settings.di.*field;
+}
+template <class T>
+T& at(Settings& settings, T GiSettings::*field) {
+    return settings.gi.*field;
+}
+template <class Part, class T>
+const T& at(const Settings& settings, T Part::*field) {
+    return at(const_cast<Settings&>(settings), field);
+}
+
+template <class Part, class T>
+SettingOption number(std::string name, T Part::*field, std::string help, std::string unit = "N") {
+    return {.name = std::move(name),
+            .values = std::move(unit),
+            .help = std::move(help),
+            .set =
+                [field](Settings& settings, std::string_view text) {
+                    T value{};
+                    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+                    if (error != std::errc{} || end != text.data() + text.size()) return false;
+                    at(settings, field) = value;
+                    return true;
+                },
+            .get =
+                [field](const Settings& settings) {
+                    char text[32];
+                    return std::string(text,
+                                       std::to_chars(text, text + sizeof(text), at(settings, field)).ptr);
+                }};
+}
+
+template <class T>
+SettingOption choice(std::string name, T DiSettings::*field, std::string help,
+                     std::vector<std::pair<std::string, T>> choices) {
+    std::string list;
+    for (const auto& [key, unused] : choices) list += (list.empty() ? "" : "|") + key;
+    return {.name = std::move(name),
+            .values = std::move(list),
+            .help = std::move(help),
+            .set =
+                [field, choices](Settings& settings, std::string_view text) {
+                    for (const auto& [key, value] : choices) {
+                        if (key != text) continue;
+                        at(settings, field) = value;
+                        return true;
+                    }
+                    return false;
+                },
+            .get =
+                [field, choices](const Settings& settings) {
+                    for (const auto& [key, value] : choices)
+                        if (value == at(settings, field)) return key;
+                    return std::string("?");
+                }};
+}
+
+SettingOption onOff(std::string name, bool DiSettings::*field, std::string help) {
+    return choice<bool>(std::move(name), field, std::move(help), {{"on", true}, {"off", false}});
+}
+
+struct Mode {
+    const char* name;
+    DirectMode direct;
+    IndirectMode indirect;
+};
+constexpr Mode kModes[] = {{"di", DirectMode::Restir, IndirectMode::Off},
+                           {"nee", DirectMode::NextEvent, IndirectMode::Off},
+                           {"gi", DirectMode::Restir, IndirectMode::Restir},
+                           {"gi-only", DirectMode::Off, IndirectMode::Restir},
+                           {"pt-plain", DirectMode::NextEvent, IndirectMode::Path},
+                           {"pt-only", DirectMode::Off, IndirectMode::Path}};
+
+SettingOption modeOption() {
+    std::string list;
+    for (const Mode& mode : kModes) list += (list.empty() ? "" : "|") + std::string(mode.name);
+    return {.name = "mode",
+            .values = std::move(list),
+            .help =
+                "reservoirs for direct light (di), for indirect light, too (gi) or alone (gi-only); without: "
+                "next-event "
+                "estimation (nee), a plain path a pixel with it (pt-plain) or without direct light (pt-only)",
+            .set =
+                [](Settings& settings, std::string_view text) {
+                    for (const Mode& mode : kModes) {
+                        if (mode.name != text) continue;
+                        settings.di.mode = mode.direct;
+                        settings.gi.mode = mode.indirect;
+                        return true;
+                    }
+                    return false;
+                },
+            .get = modeText};
+}
+
+std::string refusal(const SettingOption& option, std::string_view name, std::string_view text) {
+    const bool listed = option.values.find('|') != std::string::npos;
+    return std::string(name) + ": '" + std::string(text) + "' is " +
+           (listed ? "none of " + option.values : "no number it can take");
+}
+
+// Replaces all settings, and so goes before the others.
+const SettingOption& presetOption() {
+    static const std::vector<std::pair<std::string, restir::Preset>> kPresets = {
+        {"fast", restir::Preset::Fast},
+        {"balanced", restir::Preset::Balanced},
+        {"quality", restir::Preset::Quality},
+        {"unbiased", restir::Preset::Unbiased}};
+    static const SettingOption kOption = {.name = "preset",
+                                          .values = "fast|balanced|quality|unbiased",
+                                          .help = "settings to start from, instead of the defaults",
+                                          .set =
+                                              [](Settings& settings, std::string_view text) {
+                                                  for (const auto& [key, preset] : kPresets) {
+                                                      if (key != text) continue;
+                                                      settings.di = restir::presetSettings(preset);
+                                                      return true;
+                                                  }
+                                                  return false;
+                                              },
+                                          .get = {}};
+    return kOption;
+}
+
+}   // namespace
+
+const std::vector<SettingOption>& settingOptions() {
+    static const std::vector<SettingOption> kOptions = {
+        modeOption(),
+        number("bounces", &GiSettings::bounces,
+               "scattering events of a path, where there is indirect light (3)"),
+        number("gi-candidates", &GiSettings::lightCandidates,
+               "light candidates at each vertex of a path (4)"),
+        choice<Weights>("weights", &DiSettings::weights, "resampling weights (pairwise)",
+                        {{"off", Weights::Off},
+                         {"basic", Weights::Basic},
+                         {"balance", Weights::Balance},
+                         {"pairwise", Weights::Pairwise},
+                         {"plain", Weights::PairwisePlain}}),
+        choice<VisibilityReuse>("visibility", &DiSettings::visibility, "visibility in reuse (traced)",
+                                {{"none", VisibilityReuse::None},
+                                 {"cached", VisibilityReuse::Cached},
+                                 {"traced", VisibilityReuse::Traced}}),
+        number("candidates", &DiSettings::lightCandidates, "light candidates per round (16)"),
+        number("initial-samples", &DiSettings::initialSamples, "rounds of light candidates per pixel (1)"),
+        number("cut-samples", &DiSettings::cutSamples, "rounds in a frame without history, if more (4)"),
+        number("bsdf-candidates", &DiSettings::bsdfCandidates, "BSDF candidates per pixel (1)"),
+        onOff("temporal", &DiSettings::temporal, "temporal reuse (on)"),
+        number("max-history", &DiSettings::maxHistory, "frames that temporal reuse may stand for (20)"),
+        onOff("permute-history", &DiSettings::permuteHistory, "history of another pixel nearby (off)"),
+        number("spatial-passes", &DiSettings::spatialPasses, "passes of spatial reuse (1)"),
+        number("neighbours", &DiSettings::neighbours, "of each spatial pass (5)"),
+        onOff("fused", &DiSettings::fused, "temporal and spatial reuse in one pass (off)"),
+        onOff("checkerboard", &DiSettings::checkerboard,
+              "half of the pixels a frame, the rest filled in (off)"),
+        number("radius", &DiSettings::radius, "of spatial reuse (30)", "PX"),
+        onOff("paired-neighbours", &DiSettings::pairedNeighbours,
+              "neighbours in pairs that share rays and targets (off)"),
+        number("normal-threshold", &DiSettings::normalThreshold,
+               "least cosine between the normals of surfaces that share samples (0.9)"),
+        number("depth-threshold", &DiSettings::depthThreshold,
+               "largest relative difference of their depths (0.1)"),
+        onOff("average", &DiSettings::averageShading,
+              "shade the mean of all inputs where it can be had (on)"),
+        number("boiling-filter", &DiSettings::boilingFilter, "strength, 0 to 1 (0: off)"),
+    };
+    return kOptions;
+}
+
+const SettingOption& settingOption(std::string_view name) {
+    if (name == presetOption().name) return presetOption();
+    std::string known = presetOption().name;
+    for (const SettingOption& option : settingOptions()) {
+        if (option.name == name) return option;
+        known += " " + option.name;
+    }
+    throw std::runtime_error("'" + std::string(name) + "' is no setting, known: " + known);
+}
+
+void addSettingOptions(CLI::App& app, Settings& settings) {
+    std::vector<const SettingOption*> options = {
+        &presetOption()};   // CLI11 applies them in this order, whatever the line's
+    for (const SettingOption& option : settingOptions()) options.push_back(&option);
+    for (const SettingOption* each : options) {
+        const SettingOption& option = *each;
+        const std::string flag = "--" + option.name;
+        if (app.get_option_no_throw(flag)) continue;
+        const auto set = [&settings, &option, flag](const std::string& text) {
+            if (!option.set(settings, text)) throw std::runtime_error(refusal(option, flag, text));
+        };
+        if (option.values == kOnOff) {
+            app.add_flag_function(
+                flag + ",!--no-" + option.name, [set](int64_t n) { set(n > 0 ? "on" : "off"); }, option.help);
+        } else {
+            app.add_option_function<std::string>(flag, set, option.help)->type_name(option.values);
+        }
+    }
+    app.add_flag_callback(
+        "--no-spatial", [&settings] { settings.di.spatialPasses = 0; }, "--spatial-passes 0");
+}
+
+void reuseAlike(Settings& settings) {
+    const DiSettings& di = settings.di;
+    GiSettings& gi = settings.gi;
+    gi.weights = di.weights;
+    if (di.visibility != VisibilityReuse::None) gi.visibility = di.visibility;
+    gi.temporal = di.temporal;
+    gi.maxHistory = di.maxHistory;
+    gi.spatialPasses = di.spatialPasses;
+    gi.neighbours = di.neighbours;
+    gi.radius = di.radius;
+    gi.normalThreshold = di.normalThreshold;
+    gi.depthThreshold = di.depthThreshold;
+    gi.averageShading = di.averageShading;
+}
+
+std::string modeText(const Settings& settings) {
+    for (const Mode& mode : kModes)
+        if (settings.di.mode == mode.direct && settings.gi.mode == mode.indirect) return mode.name;
+    return "?";
+}
+
+std::string settingsText(const Settings& settings) {
+    const Settings defaults;
+    const bool reuses = settings.di.mode == DirectMode::Restir || settings.gi.mode == IndirectMode::Restir;
+    std::string text;
+    for (const SettingOption& option : settingOptions()) {
+        const bool always = reuses && (option.name == "weights" || option.name == "visibility");
+        const std::string value = option.get(settings);
+        if (!always && value == option.get(defaults)) continue;
+        text += (text.empty() ? "" : " ") + option.name + "=" + value;
+    }
+    return text;
+}
+
+Settings parseSettings(std::string_view text, Settings base) {
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        if (word.empty()) continue;
+        const size_t equals = word.find('=');
+        const SettingOption& option = settingOption(word.substr(0, equals));
+        const std::string_view value = equals == std::string_view::npos ? "" : word.substr(equals + 1);
+        if (!option.set(base, value)) throw std::runtime_error(refusal(option, option.name, value));
+    }
+    reuseAlike(base);
+    return base;
+}
+
+void declareFor(const Settings& settings, restir::SessionDesc& desc) {
+    if (settings.di.pairedNeighbours)
+        desc.pairedNeighbours = std::max(desc.pairedNeighbours, settings.di.neighbours);
+    if (settings.gi.mode == IndirectMode::Restir) desc.indirect = true;
+}
+
+}   // namespace samples

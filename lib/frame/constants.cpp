@@ -30,6 +30,8 @@ uint32_t flagsOf(const FrameInput& frame, const Settings& settings, bool history
     if (frame.gbuffer.depthKind == DepthKind::Linear) flags |= RS_FRAME_LINEAR_DEPTH;
     if (frame.output.diffuse) flags |= RS_FRAME_DIFFUSE;
     if (frame.output.specular) flags |= RS_FRAME_SPECULAR;
+    if (frame.output.indirectDiffuse) flags |= RS_FRAME_INDIRECT_DIFFUSE;
+    if (frame.output.indirectSpecular) flags |= RS_FRAME_INDIRECT_SPECULAR;
     if (settings.counters) flags |= RS_FRAME_COUNT;
     if (settings.gi.mode != IndirectMode::Off) flags |= RS_FRAME_INDIRECT;
     return flags;
@@ -42,7 +44,8 @@ uint32_t partnerSquare(float radius, bool pairs) noexcept {
 }
 
 // The other half than last time.
-uint32_t fieldOf(const Session::Impl& s, const FrameInput& frame, const Settings& settings, bool history) noexcept {
+uint32_t fieldOf(const Session::Impl& s, const FrameInput& frame, const Settings& settings,
+                 bool history) noexcept {
     if (!alternates(frame.extent, settings.di)) return 0;
     return history && s.history.field == 1 ? 2 : 1;
 }
@@ -68,7 +71,8 @@ gpu::RsDiConstants diConstants(const DiSettings& di, bool history, uint32_t fiel
     c.boilingFilter = di.boilingFilter;
     c.initialSamples = cut ? std::max(di.initialSamples, di.cutSamples) : di.initialSamples;
     c.partnerSquare = partnerSquare(di.radius, field != 0);
-    c.freshConfidence = c.initialSamples / di.initialSamples;   // what the next frames' candidates are weighed against
+    c.freshConfidence =
+        c.initialSamples / di.initialSamples;   // what the next frames' candidates are weighed against
     c.field = field;
     return c;
 }
@@ -129,6 +133,7 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
     c.gi = reuseConstants(settings.gi);
     c.giBounces = settings.gi.bounces;
+    c.giScratch = 1 - s.history.reservoirs;
     return c;
 }
 

@@ -45,7 +45,8 @@ private:
         return writes_[count_];
     }
 
-    static constexpr uint32_t kMax = RS_BIND_COUNT + 4;   // the reservoirs are two, those of indirect light four
+    static constexpr uint32_t kMax =
+        RS_BIND_COUNT + 4;   // the reservoirs are two, those of indirect light four
     VkDescriptorSet set_;
     uint32_t count_ = 0;
     VkWriteDescriptorSet writes_[kMax];
@@ -90,6 +91,8 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.image(RS_BIND_RADIANCE, frame.output.radiance, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_DIFFUSE, frame.output.diffuse, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_SPECULAR, frame.output.specular, VK_IMAGE_LAYOUT_GENERAL);
+    w.image(RS_BIND_INDIRECT_DIFFUSE, frame.output.indirectDiffuse, VK_IMAGE_LAYOUT_GENERAL);
+    w.image(RS_BIND_INDIRECT_SPECULAR, frame.output.indirectSpecular, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_GRADIENT, frame.output.gradient, VK_IMAGE_LAYOUT_GENERAL);
     w.image(RS_BIND_DEBUG, frame.output.debug, VK_IMAGE_LAYOUT_GENERAL);
     w.flush(s.device());

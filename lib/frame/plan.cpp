@@ -13,7 +13,8 @@ namespace {
 
 // Whether a pass can shade the mean of what it combines.
 bool averages(bool wanted, VisibilityReuse visibility, Weights weights) noexcept {
-    return wanted && visibility == VisibilityReuse::Traced && weights != Weights::Basic && weights != Weights::Balance;
+    return wanted && visibility == VisibilityReuse::Traced && weights != Weights::Basic &&
+           weights != Weights::Balance;
 }
 
 class Planner {
@@ -23,8 +24,10 @@ public:
 
     Plan run() {
         add(surface::pack());
-        if (settings_.gi.mode != IndirectMode::Off) indirect();
-        else plan_.giHistoryOut = input_.giHistoryIn;
+        if (settings_.gi.mode != IndirectMode::Off)
+            indirect();
+        else
+            plan_.giHistoryOut = input_.giHistoryIn;
         direct();
         return std::move(plan_);
     }
@@ -39,23 +42,35 @@ private:
     }
     // A stage of direct light: on all pixels, or on this frame's half of them.
     void addDirect(PassInfo pass) {
-        if (checkerboard_ && pass.shades) addUse(pass, {Resource::Surfaces, Access::ReadWrite});   // for di.fill
+        if (checkerboard_ && pass.shades)
+            addUse(pass, {Resource::Surfaces, Access::ReadWrite});   // for di.fill
         add(pass, checkerboard_);
+    }
+
+    // A stage of indirect light. What `candidates` cannot keep in reservoirs waits for the one that shades,
+    // where di.candidates will begin.
+    void addIndirect(PassInfo pass, bool first = false) {
+        if (input_.indirectLobes) {
+            if (first != pass.shades)
+                addUse(pass, {reservoirs(1 - input_.historyIn), first ? Access::Write : Access::Read});
+            if (pass.shades) addUse(pass, {Resource::Outputs, Access::Write});
+        }
+        add(pass);
     }
 
     void indirect() {
         const GiSettings& gi = settings_.gi;
         plan_.giHistoryOut = input_.giHistoryIn;
-        if (gi.mode == IndirectMode::Path) return add(gi::path());
+        if (gi.mode == IndirectMode::Path) return addIndirect(gi::path(), true);
         uint32_t current = 1 - input_.giHistoryIn;
-        add(gi::candidates(current));
+        addIndirect(gi::candidates(current), true);
         if (gi.temporal && input_.giHistory) add(gi::temporal(input_.giHistoryIn, current));
         const bool means = averages(gi.averageShading, gi.visibility, gi.weights) && gi.spatialPasses > 0;
         for (uint32_t i = 0; i < gi.spatialPasses; ++i) {
-            add(gi::spatial(current, 1 - current, i, means && i + 1 == gi.spatialPasses));
+            addIndirect(gi::spatial(current, 1 - current, i, means && i + 1 == gi.spatialPasses));
             current = 1 - current;
         }
-        if (!means) add(gi::shade(current));
+        if (!means) addIndirect(gi::shade(current));
         plan_.giHistoryOut = current;
     }
 
@@ -74,8 +89,10 @@ private:
         // A filtered reservoir is shaded after the filter.
         const bool means = averages(di.averageShading, di.visibility, di.weights) &&
                            (spatialPasses > 0 || (fused && !filters));
-        if (fused) addDirect(di::spatiotemporal(history, current, means && spatialPasses == 0));
-        else if (remembers) addDirect(di::temporal(history, current));
+        if (fused)
+            addDirect(di::spatiotemporal(history, current, means && spatialPasses == 0));
+        else if (remembers)
+            addDirect(di::temporal(history, current));
         if (filters) addDirect(di::boiling(current));
         if (input_.gradient) addDirect(di::gradient(history, current));
         current = spatial(current, spatialPasses, means);

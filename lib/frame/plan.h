@@ -9,11 +9,12 @@ namespace restir {
 
 struct PlanInput {
     VkExtent2D extent = {0, 0};
-    bool history = false;    // the previous frame's surfaces and reservoirs are valid
-    uint32_t historyIn = 0;  // reservoir buffer (0 or 1) that holds them
-    bool gradient = false;   // Output::gradient is asked for
+    bool history = false;     // the previous frame's surfaces and reservoirs are valid
+    uint32_t historyIn = 0;   // reservoir buffer (0 or 1) that holds them
+    bool gradient = false;    // Output::gradient is asked for
     bool giHistory = false;   // as `history` and `historyIn`, of indirect light
     uint32_t giHistoryIn = 0;
+    bool indirectLobes = false;   // Output::indirectDiffuse or indirectSpecular
 };
 
 struct Plan {
@@ -26,8 +27,8 @@ bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept;
 
 Plan makePlan(const PlanInput& input, const Settings& settings);
 
-// Whether `pass` must wait for something since the last barrier. `written` and `read` hold a bit per Resource used
-// since then.
+// Whether `pass` must wait for something since the last barrier. `written` and `read` hold a bit per Resource
+// used since then.
 struct Hazards {
     uint32_t read = 0, written = 0;
 

@@ -10,8 +10,8 @@
 namespace restir {
 namespace {
 
-// Bytes per pixel of each per-pixel stream; elements of at most 16 bytes keep 4K inside the storage buffer range that
-// Vulkan guarantees.
+// Bytes per pixel of each per-pixel stream; elements of at most 16 bytes keep 4K inside the storage buffer
+// range that Vulkan guarantees.
 constexpr VkDeviceSize kSurfaceBytes = 16, kMoreBytes = 8, kSurfaceFrameBytes = 8;
 constexpr VkDeviceSize kGiStreamBytes = sizeof(gpu::RsGiReservoir) / 2;
 
@@ -31,12 +31,15 @@ Status checkDesc(const Context::Impl& c, const SessionDesc& desc) noexcept {
     const VkDeviceSize pixels =
         c.device.limits.maxStorageBufferRange / std::max(kSurfaceBytes, noteBytes(desc));
     if (VkDeviceSize(e.width) * e.height > pixels)
-        return refuse(c.device.sink(), "restir: SessionDesc::maxExtent is %u x %u, this device takes %llu pixels", e.width,
+        return refuse(c.device.sink(),
+                      "restir: SessionDesc::maxExtent is %u x %u, this device takes %llu pixels", e.width,
                       e.height, static_cast<unsigned long long>(pixels));
     if (VkDeviceSize(desc.rayLogCapacity) * sizeof(gpu::RsLoggedRay) > c.device.limits.maxStorageBufferRange)
-        return refuse(c.device.sink(), "restir: SessionDesc::rayLogCapacity is %u, this device takes %llu rays",
+        return refuse(c.device.sink(),
+                      "restir: SessionDesc::rayLogCapacity is %u, this device takes %llu rays",
                       desc.rayLogCapacity,
-                      static_cast<unsigned long long>(c.device.limits.maxStorageBufferRange / sizeof(gpu::RsLoggedRay)));
+                      static_cast<unsigned long long>(c.device.limits.maxStorageBufferRange /
+                                                      sizeof(gpu::RsLoggedRay)));
     return Status::Ok;
 }
 
@@ -44,12 +47,14 @@ VkResult makeSets(Session::Impl& s) noexcept {
     const Context::Impl& c = *s.context;
     const Functions& f = c.device.functions;
     std::vector<VkDescriptorPoolSize> sizes;
-    for (uint32_t i = 0; i < RS_BIND_COUNT; ++i) sizes.push_back({bindingType(i), bindingCount(i) * c.framesInFlight});
+    for (uint32_t i = 0; i < RS_BIND_COUNT; ++i)
+        sizes.push_back({bindingType(i), bindingCount(i) * c.framesInFlight});
     const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                               .maxSets = c.framesInFlight,
                                               .poolSizeCount = uint32_t(sizes.size()),
                                               .pPoolSizes = sizes.data()};
-    VkResult vk = orNull(f.vkCreateDescriptorPool(c.device.info.device, &poolInfo, c.device.allocator(), &s.pool), s.pool);
+    VkResult vk = orNull(
+        f.vkCreateDescriptorPool(c.device.info.device, &poolInfo, c.device.allocator(), &s.pool), s.pool);
     if (vk != VK_SUCCESS) return vk;
     const std::vector<VkDescriptorSetLayout> layouts(c.framesInFlight, c.frameLayout);
     s.sets.resize(c.framesInFlight);
@@ -59,7 +64,8 @@ VkResult makeSets(Session::Impl& s) noexcept {
                                            .pSetLayouts = layouts.data()};
     vk = f.vkAllocateDescriptorSets(c.device.info.device, &info, s.sets.data());
     if (vk != VK_SUCCESS) return vk;
-    for (VkDescriptorSet set : s.sets) c.device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleValue(set), "frame");
+    for (VkDescriptorSet set : s.sets)
+        c.device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleValue(set), "frame");
     return VK_SUCCESS;
 }
 
@@ -68,7 +74,8 @@ VkResult makeSets(Session::Impl& s) noexcept {
 std::vector<BufferRequest> sessionRequests(const Context::Impl& c, const SessionDesc& desc) {
     const VkDeviceSize pixels = VkDeviceSize(desc.maxExtent.width) * desc.maxExtent.height;
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const VkBufferUsageFlags counted = storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    const VkBufferUsageFlags counted =
+        storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     const MemoryUse device = MemoryUse::DeviceOnly;
     std::vector<BufferRequest> requests = {
         {pixels * kSurfaceBytes, storage, device, "surfaces 0"},
@@ -82,13 +89,14 @@ std::vector<BufferRequest> sessionRequests(const Context::Impl& c, const Session
         {std::max(desc.rayLogCapacity, 1u) * sizeof(gpu::RsLoggedRay), counted, device, "ray log"},
         {std::max(pixels * noteBytes(desc), VkDeviceSize{4}), storage, device, "partners' targets"},
     };
-    for (const char* name : {"indirect vertices A", "indirect light A", "indirect vertices B", "indirect light B"})
+    for (const char* name :
+         {"indirect vertices A", "indirect light A", "indirect vertices B", "indirect light B"})
         requests.push_back({desc.indirect ? pixels * kGiStreamBytes : kGiStreamBytes, storage, device, name});
     for (uint32_t i = 0; i < c.framesInFlight; ++i) {
-        requests.push_back(
-            {sizeof(gpu::RsFrame), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::HostWrite, "frame constants"});
-        requests.push_back(
-            {sizeof(gpu::RsCounters), VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryUse::HostRead, "counter readback"});
+        requests.push_back({sizeof(gpu::RsFrame), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::HostWrite,
+                            "frame constants"});
+        requests.push_back({sizeof(gpu::RsCounters), VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryUse::HostRead,
+                            "counter readback"});
     }
     return requests;
 }
@@ -116,12 +124,14 @@ Result<Session> Session::create(const Context& context, const SessionDesc& desc)
     for (size_t i = 0; i < requests.size(); ++i) {
         const auto buffer = SessionBuffer(i);
         const bool notes = buffer == SessionBuffer::Notes && desc.pairedNeighbours > 0;
-        const bool paths = buffer >= SessionBuffer::GiReservoirs0 && buffer <= SessionBuffer::GiReservoirs3 && desc.indirect;
+        const bool paths =
+            buffer >= SessionBuffer::GiReservoirs0 && buffer <= SessionBuffer::GiReservoirs3 && desc.indirect;
         impl->report.push_back(
             {requests[i].name, requests[i].size, buffer < SessionBuffer::Counters || notes || paths});
     }
     if (VkResult vk = makeSets(*impl); vk != VK_SUCCESS)
-        return failure(c.device.sink(), Status::DeviceError, "allocating the frames' descriptor sets failed", vk);
+        return failure(c.device.sink(), Status::DeviceError, "allocating the frames' descriptor sets failed",
+                       vk);
     impl->counted.resize(c.framesInFlight);
     if (VkResult vk = impl->stopwatch.create(c.device, c.framesInFlight, kMaxTimedPasses); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "creating the query pool failed", vk);
@@ -143,17 +153,22 @@ Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const S
                        .historyIn = s.history.reservoirs,
                        .gradient = frame.output.gradient != VK_NULL_HANDLE,
                        .giHistory = giHistoryUsable(s, frame, settings),
-                       .giHistoryIn = s.history.giReservoirs},
+                       .giHistoryIn = s.history.giReservoirs,
+                       .indirectLobes = frame.output.indirectDiffuse || frame.output.indirectSpecular},
                       settings);
     return std::span<const PassInfo>(s.plan.passes);
 }
 
-std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept { return impl_->stopwatch.read(frameSlot); }
+std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {
+    return impl_->stopwatch.read(frameSlot);
+}
 
 Counters Session::counters(uint32_t frameSlot) const noexcept {
     if (frameSlot >= impl_->counted.size() || !impl_->counted[frameSlot]) return {};
     const auto* c = impl_->buffers.mapped<const gpu::RsCounters>(impl_->readbackOf(frameSlot));
-    return {.rays = c->rays, .rejectedWeights = c->rejectedWeights, .loggedRays = std::min(c->loggedRays, impl_->desc.rayLogCapacity)};
+    return {.rays = c->rays,
+            .rejectedWeights = c->rejectedWeights,
+            .loggedRays = std::min(c->loggedRays, impl_->desc.rayLogCapacity)};
 }
 
 std::span<const BufferInfo> Session::memory() const noexcept { return impl_->report; }
@@ -163,9 +178,9 @@ VkBuffer Session::rayLog() const noexcept {
 }
 
 Scope Session::inputScope() noexcept {
-    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
-                                                        VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR |
-                                                        VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
+                VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 }
 
 Scope Session::outputScope() noexcept {

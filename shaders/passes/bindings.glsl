@@ -98,10 +98,14 @@ void rsOnRay(vec3 origin, vec3 direction, float tmax, bool closest) {
     if (slot < rsFrame.rayLogCapacity)
         rsRayLog[slot] = RsLoggedRay(vec4(origin, tmax), vec4(direction, closest ? 1.0 : 0.0));
 }
+#ifndef RS_PASS_INDIRECT
 bool rsWantsLobes() {
     bool asked = (rsFrame.flags & (RS_FRAME_DIFFUSE | RS_FRAME_SPECULAR)) != 0u || rsFrame.di.field != RS_FIELD_ALL;
     return rsPass.shades != 0u && asked;
 }
+#else
+bool rsWantsLobes() { return (rsFrame.flags & (RS_FRAME_INDIRECT_DIFFUSE | RS_FRAME_INDIRECT_SPECULAR)) != 0u; }
+#endif
 // What a pixel shines of itself: its emission, and indirect light as far as it has been added.
 vec3 rsLoadOwnLight(uvec2 pixel) {
     uint bits = rsSurfacesFrame[rsIndex(pixel)].y;

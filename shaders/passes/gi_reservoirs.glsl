@@ -23,3 +23,40 @@ void rsAddIndirect(uvec2 pixel, vec3 light, inout RsRandom random) {
     if (light == vec3(0.0)) return;
     rsSurfacesFrame[rsIndex(pixel)].y = rsPackOwnLight(rsLoadOwnLight(pixel) + light, random);
 }
+
+layout(set = RS_SET, binding = RS_BIND_RESERVOIRS, scalar) buffer RsScratch { uvec4 at[]; } rsScratch[2];
+layout(set = RS_SET, binding = RS_BIND_INDIRECT_DIFFUSE) uniform writeonly image2D rsIndirectDiffuseImage;
+layout(set = RS_SET, binding = RS_BIND_INDIRECT_SPECULAR) uniform writeonly image2D rsIndirectSpecularImage;
+
+// The lobes of what no reservoir holds, for the pass that shades.
+void rsStoreRest(uvec2 pixel, RsShading rest, inout RsRandom random) {
+    rsScratch[rsFrame.giScratch].at[rsIndex(pixel)] =
+        uvec4(rsPackSignedRadiance(rest.diffuse.rgb, vec3(rsNext2(random), rsNext(random))),
+              rsPackSignedRadiance(rest.specular.rgb, vec3(rsNext2(random), rsNext(random))), floatBitsToUint(rest.diffuse.w), 0u);
+}
+RsShading rsLoadRest(uvec2 pixel) {
+    uvec4 rest = rsScratch[rsFrame.giScratch].at[rsIndex(pixel)];
+    float distance = uintBitsToFloat(rest.z);
+    return RsShading(vec3(0.0), vec4(rsUnpackSignedRadiance(rest.x), distance), vec4(rsUnpackSignedRadiance(rest.y), distance));
+}
+
+// What is reused says where light comes from, where there is any.
+vec4 rsIndirectOutput(vec4 reused, vec4 fresh) {
+    float distance = rsMeanDistance(reused);
+    vec3 light = reused.rgb + fresh.rgb;
+    if (!(distance > 0.0)) distance = light == vec3(0.0) ? 0.0 : min(fresh.w, RS_FARTHEST_HIT);
+    return vec4(light * rsFrame.exposure, distance);
+}
+void rsWriteIndirectLobes(uvec2 pixel, RsShading reused, RsShading fresh) {
+    ivec2 at = ivec2(pixel + rsFrame.outputOrigin);
+    if ((rsFrame.flags & RS_FRAME_INDIRECT_DIFFUSE) != 0u)
+        imageStore(rsIndirectDiffuseImage, at, rsIndirectOutput(reused.diffuse, fresh.diffuse));
+    if ((rsFrame.flags & RS_FRAME_INDIRECT_SPECULAR) != 0u)
+        imageStore(rsIndirectSpecularImage, at, rsIndirectOutput(reused.specular, fresh.specular));
+}
+
+// The last pass of reuse.
+void rsShadeIndirect(uvec2 pixel, RsShading reused, inout RsRandom random) {
+    rsAddIndirect(pixel, reused.radiance, random);
+    if (rsWantsLobes()) rsWriteIndirectLobes(pixel, reused, rsLoadRest(pixel));
+}

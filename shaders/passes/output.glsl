@@ -3,11 +3,7 @@ layout(set = RS_SET, binding = RS_BIND_RADIANCE) uniform writeonly image2D rsRad
 layout(set = RS_SET, binding = RS_BIND_DIFFUSE) uniform writeonly image2D rsDiffuseImage;
 layout(set = RS_SET, binding = RS_BIND_SPECULAR) uniform writeonly image2D rsSpecularImage;
 
-// The hit distance is the mean over what the lobe reflects.
-vec4 rsLobeOutput(vec4 sum) {
-    float luminance = rsLuminance(sum.rgb);
-    return vec4(sum.rgb * rsFrame.exposure, luminance > 0.0 ? min(sum.w / luminance, RS_FARTHEST_HIT) : 0.0);
-}
+vec4 rsLobeOutput(vec4 sum) { return vec4(sum.rgb * rsFrame.exposure, rsMeanDistance(sum)); }
 
 // What di.fill takes from the pixels that a checkerboard lights, in place of motion and emission, which these need no more.
 void rsStoreLit(uvec2 pixel, RsShading shading) {

@@ -1,3 +1,4 @@
+#include <frame/pass.h>
 #include <frame/plan.h>
 
 #include <algorithm>
@@ -47,8 +48,10 @@ std::vector<Settings> allSettings() {
     for (auto direct : {DirectMode::Restir, DirectMode::Off})
         for (uint32_t spatial : {0u, 1u, 2u})
             for (bool average : {false, true})
-                all.push_back({.di = {.mode = direct},
-                               .gi = {.mode = IndirectMode::Restir, .spatialPasses = spatial, .averageShading = average}});
+                all.push_back(
+                    {.di = {.mode = direct},
+                     .gi = {
+                         .mode = IndirectMode::Restir, .spatialPasses = spatial, .averageShading = average}});
     all.push_back({.gi = {.mode = IndirectMode::Path}});
     return all;
 }
@@ -119,8 +122,7 @@ TEST(Plan, OrderOfStages) {
     const auto order = [](bool history, const Settings& s) {
         return names(makePlan({kExtent, history, 0}, s));
     };
-    EXPECT_EQ(order(true, {}),
-              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial"}));
+    EXPECT_EQ(order(true, {}), (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial"}));
     EXPECT_EQ(order(false, {}), (Names{"surface.pack", "di.candidates", "di.spatial"}));
     EXPECT_EQ(order(true, {.di = {.averageShading = false}}),
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
@@ -128,12 +130,12 @@ TEST(Plan, OrderOfStages) {
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.shade"}));
     EXPECT_EQ(order(true, {.di = {.boilingFilter = 0.5f}}),
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.boiling", "di.spatial"}));
-    EXPECT_EQ(order(false, {.di = {.boilingFilter = 0.5f}}), (Names{"surface.pack", "di.candidates", "di.spatial"}));
+    EXPECT_EQ(order(false, {.di = {.boilingFilter = 0.5f}}),
+              (Names{"surface.pack", "di.candidates", "di.spatial"}));
     EXPECT_EQ(order(true, settingsOf(false, 0, VisibilityReuse::None)),
               (Names{"surface.pack", "di.candidates", "di.shade"}));
-    EXPECT_EQ(
-        order(true, settingsOf(true, 2, VisibilityReuse::Traced)),
-        (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial"}));
+    EXPECT_EQ(order(true, settingsOf(true, 2, VisibilityReuse::Traced)),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.spatial"}));
     EXPECT_EQ(order(true, {.di = {.mode = DirectMode::NextEvent}}), (Names{"surface.pack", "di.next_event"}));
     EXPECT_EQ(order(true, {.debugView = DebugView::Age}),
               (Names{"surface.pack", "di.candidates", "di.temporal", "di.spatial", "di.debug"}));
@@ -158,16 +160,20 @@ TEST(Plan, OrderOfIndirectStages) {
     using Names = std::vector<std::string>;
     const auto order = [](bool history, GiSettings gi) {
         gi.mode = gi.mode == IndirectMode::Off ? IndirectMode::Restir : gi.mode;
-        return names(makePlan({kExtent, history, 0, false, history, 0}, {.di = {.mode = DirectMode::Off}, .gi = gi}));
+        return names(
+            makePlan({kExtent, history, 0, false, history, 0}, {.di = {.mode = DirectMode::Off}, .gi = gi}));
     };
-    EXPECT_EQ(order(true, {}), (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "di.off"}));
+    EXPECT_EQ(order(true, {}),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "di.off"}));
     EXPECT_EQ(order(false, {}), (Names{"surface.pack", "gi.candidates", "gi.spatial", "di.off"}));
-    EXPECT_EQ(order(true, {.spatialPasses = 0}), (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.shade", "di.off"}));
+    EXPECT_EQ(order(true, {.spatialPasses = 0}),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.shade", "di.off"}));
     EXPECT_EQ(order(true, {.visibility = VisibilityReuse::Cached}),
               (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "gi.shade", "di.off"}));
     EXPECT_EQ(order(true, {.mode = IndirectMode::Path}), (Names{"surface.pack", "gi.candidates", "di.off"}));
     EXPECT_EQ(names(makePlan({kExtent, true, 0, false, true, 0}, {.gi = {.mode = IndirectMode::Restir}})),
-              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "di.candidates", "di.temporal", "di.spatial"}));
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "di.candidates",
+                     "di.temporal", "di.spatial"}));
 }
 
 // What it reads is what direct light's passes begin with.
@@ -177,14 +183,45 @@ TEST(Plan, IndirectLightIsAddedOnceAndBeforeItIsWritten) {
         const auto adds = [](const PassInfo& pass) { return isIndirect(pass) && pass.shades; };
         EXPECT_EQ(std::count_if(plan.passes.begin(), plan.passes.end(), adds),
                   settings.gi.mode == IndirectMode::Off ? 0 : 1);
-        const auto writer = std::find_if(plan.passes.begin(), plan.passes.end(),
-                                         [](const PassInfo& pass) { return uses(pass, Resource::Outputs, true); });
+        const auto writer = std::find_if(plan.passes.begin(), plan.passes.end(), [](const PassInfo& pass) {
+            return uses(pass, Resource::Outputs, true);
+        });
         EXPECT_TRUE(std::none_of(writer, plan.passes.end(), isIndirect));
         for (const PassInfo& pass : plan.passes) {
-            if (adds(pass)) { EXPECT_TRUE(uses(pass, Resource::Surfaces, true)); }
-            if (uses(pass, Resource::Outputs, true)) { EXPECT_TRUE(uses(pass, Resource::Surfaces, false)); }
+            if (adds(pass)) {
+                EXPECT_TRUE(uses(pass, Resource::Surfaces, true));
+            }
+            if (uses(pass, Resource::Outputs, true)) {
+                EXPECT_TRUE(uses(pass, Resource::Surfaces, false));
+            }
         }
     }
+}
+
+// Until di.candidates writes it, nobody wants the buffer that is not the history.
+TEST(Plan, IndirectLobesWaitInTheFreeBuffer) {
+    for (const Settings& settings : allSettings())
+        for (const uint32_t history : {0u, 1u}) {
+            if (settings.gi.mode == IndirectMode::Off) continue;
+            const Plan plan = makePlan({.extent = kExtent,
+                                        .history = true,
+                                        .historyIn = history,
+                                        .giHistory = true,
+                                        .indirectLobes = true},
+                                       settings);
+            bool stored = false;
+            for (const PassInfo& pass : plan.passes) {
+                if (std::string(pass.name).starts_with("di.")) break;
+                if (!isIndirect(pass)) continue;
+                EXPECT_FALSE(uses(pass, reservoirs(history), false) || uses(pass, reservoirs(history), true));
+                EXPECT_EQ(uses(pass, Resource::Outputs, true), pass.shades);
+                if (pass.shades) {
+                    EXPECT_EQ(uses(pass, reservoirs(1 - history), false), stored);
+                }
+                stored = stored || uses(pass, reservoirs(1 - history), true);
+            }
+            EXPECT_EQ(stored, settings.gi.mode == IndirectMode::Restir);
+        }
 }
 
 // Both halves are of one pass: they draw the same partners.
@@ -215,12 +252,14 @@ TEST(Plan, OrderOfFusedStages) {
     };
     const auto traced = VisibilityReuse::Traced;
     EXPECT_EQ(order(true, true, 1, traced), (Names{"surface.pack", "di.candidates", "di.spatiotemporal"}));
-    EXPECT_EQ(order(true, true, 2, traced), (Names{"surface.pack", "di.candidates", "di.spatiotemporal", "di.spatial"}));
+    EXPECT_EQ(order(true, true, 2, traced),
+              (Names{"surface.pack", "di.candidates", "di.spatiotemporal", "di.spatial"}));
     EXPECT_EQ(order(true, true, 1, VisibilityReuse::None),
               (Names{"surface.pack", "di.candidates", "di.spatiotemporal", "di.shade"}));
     EXPECT_EQ(order(false, true, 1, traced), (Names{"surface.pack", "di.candidates", "di.spatial"}));
     EXPECT_EQ(order(true, false, 1, traced), (Names{"surface.pack", "di.candidates", "di.spatial"}));
-    EXPECT_EQ(order(true, true, 0, traced), (Names{"surface.pack", "di.candidates", "di.temporal", "di.shade"}));
+    EXPECT_EQ(order(true, true, 0, traced),
+              (Names{"surface.pack", "di.candidates", "di.temporal", "di.shade"}));
 }
 
 bool onlyShows(const PassInfo& pass) {
@@ -235,12 +274,16 @@ TEST(Plan, OutputsAreWrittenByTheLastPassOnly) {
     for (const Plan& plan : allPlans())
         for (const PassInfo& pass : plan.passes) {
             const std::string name = pass.name;
-            const bool last = !onlyShows(pass) && std::all_of(&pass + 1, plan.passes.data() + plan.passes.size(),
-                                                              [](const PassInfo& next) { return onlyShows(next) || fills(next); });
+            const bool last =
+                !onlyShows(pass) &&
+                std::all_of(&pass + 1, plan.passes.data() + plan.passes.size(),
+                            [](const PassInfo& next) { return onlyShows(next) || fills(next); });
             EXPECT_EQ(uses(pass, Resource::DebugOutput, true), name == "di.debug") << name;
             EXPECT_EQ(uses(pass, Resource::GradientOutput, true), name == "di.gradient") << name;
             EXPECT_EQ(uses(pass, Resource::Outputs, true), last) << pass.name;
-            if (!isIndirect(pass)) { EXPECT_EQ(pass.shades, last) << pass.name; }
+            if (!isIndirect(pass)) {
+                EXPECT_EQ(pass.shades, last) << pass.name;
+            }
         }
 }
 
@@ -295,7 +338,8 @@ TEST(Plan, PassesReadNeighboursOnlyInBuffersTheyDoNotWrite) {
 
 TEST(Plan, EveryPassReadsWhatThePassBeforeItMade) {
     for (const Plan& plan : allPlans()) {
-        int latestOf[2] = {-1, -1};   // the reservoir buffer written last in this frame, of direct and indirect light
+        int latestOf[2] = {
+            -1, -1};   // the reservoir buffer written last in this frame, of direct and indirect light
         for (const PassInfo& pass : plan.passes) {
             const std::string name = pass.name, stage = stageOf(pass);
             int& latest = latestOf[isIndirect(pass)];

@@ -14,10 +14,13 @@ constexpr Access kCopyFrom{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_RE
 constexpr Access kCopyTo{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                          VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
 
-VkDeviceSize bytesOf(VkExtent2D extent) { return VkDeviceSize{extent.width} * extent.height * sizeof(glm::vec4); }
+VkDeviceSize bytesOf(VkExtent2D extent) {
+    return VkDeviceSize{extent.width} * extent.height * sizeof(glm::vec4);
+}
 
 VkBufferImageCopy wholeImage(VkExtent2D extent) {
-    return {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1}, .imageExtent = {extent.width, extent.height, 1}};
+    return {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+            .imageExtent = {extent.width, extent.height, 1}};
 }
 
 template <class T>
@@ -73,7 +76,8 @@ void HostView::newSession() {
 }
 
 void HostView::look(const samples::View& view) {
-    const samples::CameraPose pose = samples::makePose(view, extent_), before = samples::makePose(view_, extent_);
+    const samples::CameraPose pose = samples::makePose(view, extent_),
+                              before = samples::makePose(view_, extent_);
     view_ = view;
     device().submitAndWait([&](VkCommandBuffer cmd) {
         gbuffers_.back()->record(cmd, pose, before, {0, 0}, restir::Session::inputScope());
@@ -82,7 +86,8 @@ void HostView::look(const samples::View& view) {
 
 void HostView::upload(std::span<const restir::Light> lights) {
     device().check(lights_->upload(0, lights), "LightTable::upload");
-    device().submitAndWait([&](VkCommandBuffer cmd) { device().check(lights_->record(cmd, 0), "LightTable::record"); });
+    device().submitAndWait(
+        [&](VkCommandBuffer cmd) { device().check(lights_->record(cmd, 0), "LightTable::record"); });
 }
 
 void HostView::resize(VkExtent2D extent) {
@@ -113,12 +118,19 @@ restir::FrameInput HostView::input(uint32_t index) const {
     return input;
 }
 
+void HostView::addIndirectLobes(restir::FrameInput& input) const {
+    const auto& targets = targets_[input.frameSlot];
+    input.output.indirectDiffuse = targets[size_t(Target::IndirectDiffuse)].view();
+    input.output.indirectSpecular = targets[size_t(Target::IndirectSpecular)].view();
+}
+
 void HostView::record(VkCommandBuffer cmd, restir::Session& session, const restir::FrameInput& input,
                       const restir::Settings& settings) {
     around(cmd, input, [&] { device().check(session.record(cmd, input, settings), "Session::record"); });
 }
 
-void HostView::around(VkCommandBuffer cmd, const restir::FrameInput& input, const std::function<void()>& passes) {
+void HostView::around(VkCommandBuffer cmd, const restir::FrameInput& input,
+                      const std::function<void()>& passes) {
     const restir::Scope scope = restir::Session::outputScope();
     const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
     const Access before{kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last use was copied
@@ -158,7 +170,8 @@ samples::FloatImage HostView::frame(const restir::FrameInput& input, const resti
     return read(input.frameSlot);
 }
 
-samples::FloatImage HostView::frames(uint32_t first, uint32_t count, const restir::Settings& settings, uint32_t seed) {
+samples::FloatImage HostView::frames(uint32_t first, uint32_t count, const restir::Settings& settings,
+                                     uint32_t seed) {
     samples::FloatImage image;
     for (uint32_t i = first; i < first + count; ++i) {
         restir::FrameInput in = input(i);

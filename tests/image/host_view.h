@@ -25,7 +25,16 @@ struct HostDesc {
 };
 
 // The images of restir::Output.
-enum class Target : uint8_t { Radiance, Diffuse, Specular, Gradient, Debug, Count };
+enum class Target : uint8_t {
+    Radiance,
+    Diffuse,
+    Specular,
+    Gradient,
+    Debug,
+    IndirectDiffuse,
+    IndirectSpecular,
+    Count
+};
 
 class HostView {
 public:
@@ -44,7 +53,7 @@ public:
     // The G-buffer of another extent, from the next input() on.
     void resize(VkExtent2D extent);
 
-    // A whole frame as frame `index` of a sequence would have it.
+    // A whole frame as frame `index` of a sequence would have it, but for the lobes of indirect light.
     restir::FrameInput input(uint32_t index) const;
     // With what the target needs around it.
     void record(VkCommandBuffer cmd, const restir::FrameInput& input, const restir::Settings& settings) {
@@ -54,12 +63,16 @@ public:
                 const restir::Settings& settings);
     // What the target needs around passes that someone else records.
     void around(VkCommandBuffer cmd, const restir::FrameInput& input, const std::function<void()>& passes);
-    samples::FloatImage read(uint32_t slot) const;   // once the GPU is done
+    samples::FloatImage read(uint32_t slot) const;                         // once the GPU is done
     std::span<const glm::vec4> read(uint32_t slot, Target target) const;   // HostDesc::allOutputs
+
+    // Asks for the lobes of indirect light, too. HostDesc::allOutputs
+    void addIndirectLobes(restir::FrameInput& input) const;
 
     samples::FloatImage frame(const restir::FrameInput& input, const restir::Settings& settings);
     // `count` frames from `first` on; the last one's picture.
-    samples::FloatImage frames(uint32_t first, uint32_t count, const restir::Settings& settings, uint32_t seed = 0);
+    samples::FloatImage frames(uint32_t first, uint32_t count, const restir::Settings& settings,
+                               uint32_t seed = 0);
 
     restir::Session& session() { return *session_; }
     restir::LightTable& lights() { return *lights_; }

@@ -1,5 +1,5 @@
-// Output::diffuse and Output::specular: put together again they are the radiance, and their hit distance is
-// the light's.
+// Output::diffuse and Output::specular, and those of indirect light: put together again they are the
+// radiance, and their hit distance is the light's.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -19,7 +19,8 @@ constexpr VkExtent2D kExtent{32, 24};
 constexpr size_t kPixels = kExtent.width * kExtent.height;
 constexpr float kEmpty = -1;
 constexpr double kRounding = 1e-5;
-constexpr double kRayOrigin = 5e-4;   // rays start off the surface; 16-bit normals, positions rebuilt from depth
+constexpr double kRayOrigin =
+    5e-4;   // rays start off the surface; 16-bit normals, positions rebuilt from depth
 
 // The plane with another material in each pixel, all of them exact in their packed form; the first column is
 // empty.
@@ -72,9 +73,15 @@ std::vector<Light> severalLights() {
 
 class Lobes : public testing::Test {
 protected:
-    Lobes()
-        : scene(device(), planeScene()),
-          host(scene, planeScene().views[0], {.maxExtent = kExtent, .maxLights = 8, .allOutputs = true, .pairedNeighbours = 5}),
+    Lobes() : Lobes(planeScene()) {}
+    explicit Lobes(samples::SceneData data)
+        : scene(device(), std::move(data)),
+          host(scene, planeScene().views[0],
+               {.maxExtent = kExtent,
+                .maxLights = 8,
+                .allOutputs = true,
+                .pairedNeighbours = 5,
+                .indirect = true}),
           surfaces(samples::makePose(planeScene().views[0], kExtent)),
           depth(floatImage(kExtent, surfaces.depth)),
           normal(floatImage(kExtent, surfaces.normal)),
@@ -163,7 +170,8 @@ TEST_F(Lobes, DiffuseIsIrradianceOverPi) {
         if (surfaces.empty(i) || surfaces.albedo(i) == glm::dvec3(0)) continue;
         const glm::dvec3 to = glm::dvec3(0.4f, 1.3f, -0.5f) - surfaces.point[i];
         const double scale = double(kExposure) * to.y / std::pow(glm::length(to), 3.0) / std::numbers::pi;
-        for (int c = 0; c < 3; ++c) ASSERT_NEAR(diffuse[i][c], scale * double(2 + c), kRayOrigin * scale * 4) << i;
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(diffuse[i][c], scale * double(2 + c), kRayOrigin * scale * 4) << i;
     }
 }
 
@@ -199,6 +207,104 @@ TEST_F(Lobes, HitDistanceIsWeightedByWhatLightsContribute) {
         ASSERT_NEAR(diffuse[i].w, (r * far + b * near) / (r + b), 1e-3) << i;
     }
     EXPECT_GT(mixed, 50u);
+}
+
+constexpr float kCeiling = 1.9f;
+
+// The plane under a ceiling, which is what lights it: part of what that reflects changes with the direction.
+class IndirectLobes : public Lobes {
+protected:
+    IndirectLobes() : Lobes(underCeiling()) {
+        settings.di.mode = restir::DirectMode::Off;
+        settings.gi.bounces = 2;
+        settings.gi.normalThreshold = -1;
+        emission = floatImage(
+            kExtent, std::vector<glm::vec4>(kPixels, glm::vec4(0)));   // or rounding would be all there is
+        host.upload(severalLights());
+    }
+    static samples::SceneData underCeiling() {
+        samples::SceneData data = planeScene();
+        addQuad(data, lamp({0, kCeiling, 0}, 4),
+                {.color = kAlbedo, .roughness = 77.0f / 255.0f, .metalness = 51.0f / 255.0f});
+        return data;
+    }
+    void render() {
+        for (uint32_t i = 0; i < 3; ++i) {
+            restir::FrameInput in = input(i);
+            host.addIndirectLobes(in);
+            image = host.frame(in, settings);
+        }
+        diffuse = host.read(2, Target::IndirectDiffuse);
+        specular = host.read(2, Target::IndirectSpecular);
+    }
+    // The radiance is rounded at random by up to 1/128 of its largest channel, each of the two times that
+    // light is added to it.
+    void expectWhole(const std::string& name) const {
+        double light = 0, difference = 0, variance = 0;
+        for (size_t i = 0; i < kPixels; ++i) {
+            if (surfaces.empty(i)) {
+                ASSERT_EQ(diffuse[i], glm::vec4(0)) << name << " " << i;
+                ASSERT_EQ(specular[i], glm::vec4(0)) << name << " " << i;
+                continue;
+            }
+            const glm::dvec3 sum =
+                glm::dvec3(diffuse[i]) * surfaces.albedo(i) + glm::dvec3(specular[i]) * surfaces.factor(i);
+            const double largest = std::max({std::abs(sum.x), std::abs(sum.y), std::abs(sum.z)});
+            for (int c = 0; c < 3; ++c) {
+                const double off = double(image.rgb[3 * i + size_t(c)]) - sum[c];
+                ASSERT_LE(std::abs(off), 4.0 / 128 * largest + 1e-4) << name << " " << i;
+                light += sum[c];
+                difference += off;
+                variance += 2 * std::pow(largest / 128, 2) / 4;
+            }
+        }
+        EXPECT_GT(light, 1) << name;
+        EXPECT_LE(std::abs(difference), 5 * std::sqrt(variance))
+            << name << " of " << light;   // rounding does not bias
+        EXPECT_LE(5 * std::sqrt(variance), 0.01 * light) << name;
+    }
+    void expectDistances(const std::string& name) const {
+        for (size_t i = 0; i < kPixels; ++i)
+            for (const glm::vec4& lobe : {diffuse[i], specular[i]}) {
+                if (glm::vec3(lobe) == glm::vec3(0))
+                    ASSERT_EQ(lobe.w, 0) << name << " " << i;
+                else
+                    ASSERT_GT(double(lobe.w), kCeiling - 0.01 - surfaces.point[i].y) << name << " " << i;
+            }
+    }
+};
+
+// Each pass that shades indirect light: the path alone, the mean of a spatial pass, the one sample that was
+// kept.
+TEST_F(IndirectLobes, PutTogetherTheyAreTheRadiance) {
+    const auto expect = [&](const std::string& name) {
+        render();
+        expectWhole(name);
+        expectDistances(name);
+    };
+    settings.gi.mode = restir::IndirectMode::Path;
+    expect("path");
+    settings.gi.mode = restir::IndirectMode::Restir;
+    expect("mean");
+    settings.gi.averageShading = false;
+    expect("selected");
+    settings.gi.spatialPasses = 2;
+    settings.gi.visibility = restir::VisibilityReuse::Cached;
+    expect("two passes, cached");
+    settings.gi.temporal = false;
+    settings.gi.spatialPasses = 0;
+    expect("candidates");
+}
+
+// Their scratch is the direct light's buffer.
+TEST_F(IndirectLobes, DirectLightIsTheSameWithThem) {
+    settings.di.mode = restir::DirectMode::Restir;
+    settings.gi.mode = restir::IndirectMode::Restir;
+    render();
+    const samples::FloatImage with = image;
+    host.newSession();
+    Lobes::render();
+    EXPECT_EQ(image.rgb, with.rgb);
 }
 
 TEST_F(Lobes, RadianceIsTheSameWithoutThem) {

@@ -35,7 +35,8 @@ protected:
     }
     Status record(const FrameInput& input, const Settings& settings) {
         Status status = Status::Ok;
-        device().submitAndWait([&](VkCommandBuffer cmd) { status = host->session().record(cmd, input, settings); });
+        device().submitAndWait(
+            [&](VkCommandBuffer cmd) { status = host->session().record(cmd, input, settings); });
         return status;
     }
 
@@ -97,8 +98,10 @@ const BadFrame kBadFrames[] = {
     {"mode", [](FrameInput&, Settings& s) { s.di.mode = restir::DirectMode(3); }},
     {"GiSettings::mode", [](FrameInput&, Settings& s) { s.gi.mode = restir::IndirectMode(3); }},
     {"SessionDesc::indirect", [](FrameInput&, Settings& s) { s.gi.mode = restir::IndirectMode::Restir; }},
+    {"indirectSpecular", [](FrameInput& f, Settings&) { f.output.indirectSpecular = f.output.radiance; }},
     {"GiSettings::bounces", [](FrameInput&, Settings& s) { s.gi.bounces = 1; }},
-    {"GiSettings::visibility", [](FrameInput&, Settings& s) { s.gi.visibility = restir::VisibilityReuse::None; }},
+    {"GiSettings::visibility",
+     [](FrameInput&, Settings& s) { s.gi.visibility = restir::VisibilityReuse::None; }},
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 0; }},
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 65537; }},
     {"initialSamples", [](FrameInput&, Settings& s) { s.di.initialSamples = 0; }},
@@ -214,7 +217,8 @@ TEST_F(Refusal, Contexts) {
         {"framesInFlight", [](restir::ContextDesc& d) { d.framesInFlight = 17; }},
         {"maxTextures", [](restir::ContextDesc& d) { d.maxTextures = 0; }},
         {"queueFamily", [](restir::ContextDesc& d) { d.queueFamily = 99; }},
-        {"memory", [](restir::ContextDesc& d) { d.device.memory.release = [](void*, const restir::BufferGrant&) {}; }},
+        {"memory",
+         [](restir::ContextDesc& d) { d.device.memory.release = [](void*, const restir::BufferGrant&) {}; }},
     };
     for (const auto& [field, spoil] : cases) {
         SCOPED_TRACE(field);

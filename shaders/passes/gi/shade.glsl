@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define RS_PASS_RAYS
+#define RS_PASS_INDIRECT
 #include "passes/bindings.glsl"
 #include "passes/gi_reservoirs.glsl"
 #include "restir/di/shade.glsl"
@@ -16,5 +17,5 @@ void main() {
     RsShading shading = rsNoLight();
     if (s.valid) shading = rsDiShade(s, r, rsFrame.gi.visibility, occluded);
     if (occluded) rsStoreGiReservoir(rsPass.target, i, rsEmptyGiReservoir(rsConfidence(r)));
-    rsAddIndirect(pixel, shading.radiance, random);
+    rsShadeIndirect(pixel, shading, random);
 }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define RS_PASS_RAYS
+#define RS_PASS_INDIRECT
 #include "passes/bindings.glsl"
 #include "passes/gi_reservoirs.glsl"
 #include "restir/di/spatial.glsl"
@@ -14,5 +15,5 @@ void main() {
     RsCombined combined = RsCombined(canonical, rsNoLight());
     if (s.valid) combined = rsDiSpatial(s, canonical, pixel, rsFrame.extent, rsFrame.gi, random);
     rsStoreGiReservoir(rsPass.target, rsIndex(pixel), combined.reservoir);
-    if (rsPass.shades != 0u) rsAddIndirect(pixel, combined.shading.radiance, random);
+    if (rsPass.shades != 0u) rsShadeIndirect(pixel, combined.shading, random);
 }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define RS_PASS_RAYS
+#define RS_PASS_INDIRECT
 #include "passes/bindings.glsl"
 #include "passes/gi_reservoirs.glsl"
 #include "passes/back_project.glsl"

@@ -61,6 +61,12 @@ void rsAddLight(inout RsShading sum, RsSurface s, RsDirect direct, float weight)
     sum.specular += vec4(specular, rsLuminance(specular) * distance);
 }
 
+// Of what a lobe reflects.
+float rsMeanDistance(vec4 lobe) {
+    float luminance = rsLuminance(lobe.rgb);
+    return luminance > 0.0 ? min(lobe.w / luminance, RS_FARTHEST_HIT) : 0.0;
+}
+
 RsShading rsDivide(RsShading sum, float by) {
     return RsShading(sum.radiance / by, sum.diffuse / by, sum.specular / by);
 }

@@ -7,17 +7,28 @@
 
 struct RsGiFresh {
     RsGiReservoir reservoir;
-    vec3 steady;   // what its sample alone would add to the pixel
-    vec3 rest;     // what no reservoir can hold
+    RsShading all;     // what it brings to the pixel; w of its lobes: the distance of its second vertex
+    RsShading rest;    // the part of that which no reservoir can hold
 };
 
 vec3 rsFiniteLight(vec3 light) {
     return abs(light.x) + abs(light.y) + abs(light.z) < 3e38 ? light : vec3(0.0);   // NaN from hostile input counts as unlit
 }
 
+// Light from `direction`, drawn with density `pdf`.
+RsShading rsShadeFresh(RsSurface s, vec3 direction, float pdf, float distance, vec3 light) {
+    RsShading shading = rsNoLight();
+    shading.radiance = rsFiniteLight(rsBridgeBsdf(s, direction) / pdf * light);
+    if (!rsWantsLobes()) return shading;
+    RsLobes lobes = rsBridgeLobes(s, direction);
+    shading.diffuse = vec4(rsFiniteLight(lobes.diffuse / pdf * light), distance);
+    shading.specular = vec4(rsFiniteLight(lobes.specular / pdf * light), distance);
+    return shading;
+}
+
 // `bounces`: scattering events, that at `s` among them; at least 2.
 RsGiFresh rsGiCandidate(RsSurface s, uint lightCount, uint bounces, uint lightCandidates, inout RsRandom random) {
-    RsGiFresh none = RsGiFresh(rsEmptyGiReservoir(1u), vec3(0.0), vec3(0.0));
+    RsGiFresh none = RsGiFresh(rsEmptyGiReservoir(1u), rsNoLight(), rsNoLight());
     vec3 direction = rsBridgeSampleBsdf(s, vec3(rsNext2(random), rsNext(random)));
     float pdf = rsBridgeBsdfPdf(s, direction);
     if (!(pdf > 0.0)) return none;
@@ -28,8 +39,8 @@ RsGiFresh rsGiCandidate(RsSurface s, uint lightCount, uint bounces, uint lightCa
     if (!there.valid) return none;
     RsScattered light = rsScatter(there, lightCount, bounces - 1u, lightCandidates, random);
 
-    vec3 f = rsBridgeBsdf(s, direction) / pdf;
-    RsGiFresh fresh = RsGiFresh(rsEmptyGiReservoir(1u), rsFiniteLight(f * light.steady), rsFiniteLight(f * (light.all - light.steady)));
+    RsGiFresh fresh = RsGiFresh(rsEmptyGiReservoir(1u), rsShadeFresh(s, direction, pdf, hit.t, light.all),
+                                rsShadeFresh(s, direction, pdf, hit.t, light.all - light.steady));
     RsGiReservoir r = RsGiReservoir(there.position, rsPackNormal(there.geometricNormal), rsPackFineRadiance(light.steady), 0.0, 0u);
     RsIncident incident = rsIncidentFrom(r, origin);   // from what is stored
     float p = rsBridgeBsdfPdf(s, incident.direction) * incident.solidAngle;

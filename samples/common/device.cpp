@@ -35,19 +35,22 @@ bool hasInstanceExtension(const char* name) {
     });
 }
 
-bool canTraceRays(VkPhysicalDevice physical) {
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(physical, &properties);
-    if (properties.apiVersion < VK_API_VERSION_1_3) return false;
+bool hasExtension(VkPhysicalDevice physical, const char* name) {
     uint32_t count = 0;
     vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
     std::vector<VkExtensionProperties> all(count);
     vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, all.data());
-    return std::all_of(kRayExtensions.begin(), kRayExtensions.end(), [&](const char* name) {
-        return std::any_of(all.begin(), all.end(), [&](const VkExtensionProperties& extension) {
-            return std::strcmp(extension.extensionName, name) == 0;
-        });
+    return std::any_of(all.begin(), all.end(), [&](const VkExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
     });
+}
+
+bool canTraceRays(VkPhysicalDevice physical) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    if (properties.apiVersion < VK_API_VERSION_1_3) return false;
+    return std::all_of(kRayExtensions.begin(), kRayExtensions.end(),
+                       [&](const char* name) { return hasExtension(physical, name); });
 }
 
 // Real GPUs before software ones.
@@ -112,7 +115,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL Device::report(VkDebugUtilsMessageSeverityFlagBit
 
 Device::Device(const DeviceDesc& desc) {
     try {
-        makeInstance(desc.validate);
+        makeInstance(desc);
+        if (desc.makeSurface) surface_ = desc.makeSurface(instance_);
         pickPhysical();
         makeDevice();
         loadRayFunctions();
@@ -130,6 +134,7 @@ void Device::release() {
         vkDestroyCommandPool(device_, pool_, nullptr);
         vkDestroyDevice(device_, nullptr);
     }
+    if (surface_ != VK_NULL_HANDLE) vkDestroySurfaceKHR(instance_, surface_, nullptr);
     if (messenger_ != VK_NULL_HANDLE) {
         auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
             vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
@@ -138,7 +143,8 @@ void Device::release() {
     if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
 }
 
-void Device::makeInstance(bool validate) {
+void Device::makeInstance(const DeviceDesc& desc) {
+    const bool validate = desc.validate;
     if (validate && !hasLayer(kValidationLayer)) {
         throw std::runtime_error(
             "validation was asked for, but VK_LAYER_KHRONOS_validation is not installed");
@@ -156,7 +162,7 @@ void Device::makeInstance(bool validate) {
                                            .pNext = &messengerInfo,
                                            .enabledValidationFeatureCount = 1,
                                            .pEnabledValidationFeatures = &enabled};
-    std::vector<const char*> extensions;   // labels and names work without the layer, too
+    std::vector<const char*> extensions = desc.instanceExtensions;   // labels and names work without the layer, too
     if (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || validate) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     }
@@ -182,10 +188,16 @@ void Device::pickPhysical() {
     samples::check(vkEnumeratePhysicalDevices(instance_, &count, nullptr), "vkEnumeratePhysicalDevices");
     std::vector<VkPhysicalDevice> all(count);
     samples::check(vkEnumeratePhysicalDevices(instance_, &count, all.data()), "vkEnumeratePhysicalDevices");
+    uint32_t tracing = 0;
     for (VkPhysicalDevice candidate : all) {
         if (!canTraceRays(candidate)) continue;
+        ++tracing;
+        if (!findQueueFamily(candidate)) continue;
         if (physical_ == VK_NULL_HANDLE || rank(candidate) > rank(physical_)) physical_ = candidate;
     }
+    if (physical_ == VK_NULL_HANDLE && tracing > 0)
+        throw std::runtime_error(surface_ ? "no device with ray query can draw to this display"
+                                          : "the device has no compute queue");
     if (physical_ == VK_NULL_HANDLE) {
         throw std::runtime_error("no Vulkan 1.3 device with ray query (" + std::to_string(count) +
                                  " devices without)");
@@ -202,14 +214,26 @@ void Device::pickPhysical() {
     scratchAlignment_ = structures.minAccelerationStructureScratchOffsetAlignment;
 }
 
-void Device::makeDevice() {
+std::optional<uint32_t> Device::findQueueFamily(VkPhysicalDevice physical) const {
+    if (surface_ && !hasExtension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) return std::nullopt;
     uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    const VkQueueFlags wanted = surface_ ? VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT : VK_QUEUE_COMPUTE_BIT;
+    for (uint32_t i = 0; i < count; ++i) {
+        VkBool32 presents = VK_TRUE;
+        if (surface_) vkGetPhysicalDeviceSurfaceSupportKHR(physical, i, surface_, &presents);
+        if ((families[i].queueFlags & wanted) == wanted && presents) return i;
+    }
+    return std::nullopt;
+}
+
+void Device::makeDevice() {
+    queueFamily_ = findQueueFamily(physical_).value();
+    uint32_t count = queueFamily_ + 1;
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
-    while (queueFamily_ < count && !(families[queueFamily_].queueFlags & VK_QUEUE_COMPUTE_BIT))
-        ++queueFamily_;
-    if (queueFamily_ == count) throw std::runtime_error("the device has no compute queue");
     timestampBits_ = families[queueFamily_].timestampValidBits;
 
     restir::DeviceNeeds needs = restir::deviceNeeds(restir::RayBackend::RayQuery);
@@ -219,6 +243,7 @@ void Device::makeDevice() {
         const auto same = [&](const char* other) { return std::strcmp(name, other) == 0; };
         if (std::none_of(extensions.begin(), extensions.end(), same)) extensions.push_back(name);
     }
+    if (surface_) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const float priority = 1;
     const VkDeviceQueueCreateInfo queueInfo{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                             .queueFamilyIndex = queueFamily_,

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <vulkan/vulkan.h>
 
@@ -18,6 +20,9 @@ void check(VkResult result, const char* what);
 
 struct DeviceDesc {
     bool validate = false;   // core and synchronization validation; messages are printed and counted
+    // For a window: extensions of the instance, and what makes its surface, which the Device then owns and can present to.
+    std::vector<const char*> instanceExtensions = {};
+    std::function<VkSurfaceKHR(VkInstance)> makeSurface = {};
 };
 
 // Functions of extensions, which the loader does not export.
@@ -42,6 +47,7 @@ public:
     VkDevice handle() const { return device_; }
     VkQueue queue() const { return queue_; }
     uint32_t queueFamily() const { return queueFamily_; }
+    VkSurfaceKHR surface() const { return surface_; }   // null without a window; the queue can draw then, too
     const RayFunctions& rays() const { return rays_; }
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     const std::string& driver() const { return driver_; }
@@ -67,8 +73,9 @@ public:
     void waitIdle() const { vkDeviceWaitIdle(device_); }
 
 private:
-    void makeInstance(bool validate);
+    void makeInstance(const DeviceDesc& desc);
     void pickPhysical();
+    std::optional<uint32_t> findQueueFamily(VkPhysicalDevice physical) const;
     void makeDevice();
     void loadRayFunctions();
     void release();
@@ -80,6 +87,7 @@ private:
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkSurfaceKHR surface_ = VK_NULL_HANDLE;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
@@ -94,6 +102,13 @@ private:
     std::atomic<uint32_t> validationMessages_ = 0;
 };
 
+// What a submission waits for, and what it signals: for pictures of a window.
+struct WindowSync {
+    VkSemaphore acquired = VK_NULL_HANDLE;
+    VkPipelineStageFlags waitingStages = 0;   // that touch the window's picture first
+    VkSemaphore rendered = VK_NULL_HANDLE;
+};
+
 // Command buffers for frames in flight: begin() waits until the GPU is done with the slot's last use.
 class FrameSlots {
 public:
@@ -106,7 +121,7 @@ public:
 
     void wait(uint32_t slot) const;
     VkCommandBuffer begin(uint32_t slot);
-    void submit(uint32_t slot);
+    void submit(uint32_t slot, const WindowSync* window = nullptr);
 
 private:
     const Device& device_;

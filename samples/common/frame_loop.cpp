@@ -32,6 +32,7 @@ Frame FrameLoop::describe(const Sequence& sequence, uint32_t index) const {
     return {.index = index,
             .slot = index % FrameSlots::kCount,
             .last = index + 1 == sequence.frames,
+            .cut = index == 0,
             .seed = sequence.seed,
             .time = time,
             .previousTime = previous,

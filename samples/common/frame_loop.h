@@ -32,6 +32,7 @@ struct Frame {
     uint32_t index = 0;
     uint32_t slot = 0;
     bool last = false;
+    bool cut = false;                   // nothing of the frame before is seen again
     uint32_t seed = 0;                  // the sequence's
     float time = 0, previousTime = 0;   // of the last frame: 0; of the first: the same
     CameraPose pose, previous;          // likewise

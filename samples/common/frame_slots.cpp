@@ -39,11 +39,18 @@ VkCommandBuffer FrameSlots::begin(uint32_t slot) {
     return commands_[slot];
 }
 
-void FrameSlots::submit(uint32_t slot) {
+void FrameSlots::submit(uint32_t slot, const WindowSync* window) {
     check(vkEndCommandBuffer(commands_[slot]), "vkEndCommandBuffer");
     check(vkResetFences(device_.handle(), 1, &fences_[slot]), "vkResetFences");
-    const VkSubmitInfo info{
+    VkSubmitInfo info{
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands_[slot]};
+    if (window) {
+        info.waitSemaphoreCount = 1;
+        info.pWaitSemaphores = &window->acquired;
+        info.pWaitDstStageMask = &window->waitingStages;
+        info.signalSemaphoreCount = 1;
+        info.pSignalSemaphores = &window->rendered;
+    }
     check(vkQueueSubmit(device_.queue(), 1, &info, fences_[slot]), "vkQueueSubmit");
 }
 

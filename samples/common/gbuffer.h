@@ -18,6 +18,7 @@ public:
     void record(VkCommandBuffer cmd, const CameraPose& pose, const CameraPose& previous, glm::vec2 jitter,
                 const restir::Scope& readers) const;
 
+    VkExtent2D extent() const { return extent_; }
     // As the SDK takes it.
     restir::GBuffer describe() const;
     const GpuImage& depth() const { return images_[Depth]; }   // -1 where there is no surface

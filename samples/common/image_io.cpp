@@ -20,6 +20,12 @@ namespace samples {
 
 namespace {
 
+namespace shown {
+using namespace glm;
+#define TONE_MAP_FUNCTION inline
+#include "common/shaders/include/tone_map.glsl"
+}   // namespace shown
+
 constexpr size_t kChannels = 3;
 constexpr size_t kMaxPixels = size_t{1} << 28;
 constexpr const char* kChannelNames[kChannels] = {"R", "G", "B"};
@@ -81,57 +87,14 @@ glm::vec3 pixel(const FloatImage& image, size_t index) {
     return std::isfinite(color.x + color.y + color.z) ? glm::max(color, glm::vec3{0}) : glm::vec3{0};
 }
 
-float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
-
-// Brings the log-average luminance a little below middle gray. Pixels darker than a thousandth of the 90th
-// percentile count as black, or a night sky's last glimmer would set the exposure.
-float autoExposure(const FloatImage& image) {
-    constexpr float kTarget = 0.14f, kBlack = 1e-3f;
-    std::vector<float> lit;
-    for (size_t i = 0; i < size_t{image.width} * image.height; ++i)
-        if (const float value = luminance(pixel(image, i)); value > 0) lit.push_back(value);
-    if (lit.empty()) return 1;
-    const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 9 / 10);
-    std::nth_element(lit.begin(), bright, lit.end());
-    const float black = *bright * kBlack;
-    std::erase_if(lit, [&](float value) { return value < black; });
-    double sum = 0;
-    for (const float value : lit) sum += std::log(value);
-    return kTarget / static_cast<float>(std::exp(sum / static_cast<double>(lit.size())));
-}
-
-// Narkowicz's fit of the ACES filmic curve (2015), scaled so that exposed middle gray stays middle gray.
-float filmic(float x) {
-    constexpr float kPreScale = 0.72f;
-    const float v = x * kPreScale;
-    return std::min(v * (2.51f * v + 0.03f) / (v * (2.43f * v + 0.59f) + 0.14f), 1.0f);
-}
-
-// Mostly the curve of the largest channel, which keeps hues; a part of the curve of each channel, which lets
-// bright reds turn orange as film does. Far past white, colours fade slowly, so that lamps look bright and
-// still coloured.
-glm::vec3 toneMap(const glm::vec3& color) {
-    const float peak = std::max({color.x, color.y, color.z});
-    if (peak <= 0) return glm::vec3{0};
-    constexpr float kFadeStart = 2.0f, kFadeRate = 0.008f, kLargestFade = 0.6f, kPerChannel = 0.35f;
-    const float fade = 1 - 1 / (1 + kFadeRate * std::max(peak - kFadeStart, 0.0f));
-    const glm::vec3 perChannel{filmic(color.x), filmic(color.y), filmic(color.z)};
-    const glm::vec3 mapped = glm::mix(color * (filmic(peak) / peak), perChannel, kPerChannel);
-    return glm::mix(mapped, glm::vec3{filmic(peak)}, std::min(fade, kLargestFade));
-}
-
-uint8_t srgbByte(float linear) {
-    const float v = std::clamp(linear, 0.0f, 1.0f);
-    const float encoded = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-    return static_cast<uint8_t>(std::lround(encoded * 255));
-}
+uint8_t displayByte(float linear) { return static_cast<uint8_t>(std::lround(shown::encodeSrgb(linear) * 255)); }
 
 std::vector<uint8_t> displayBytes(const FloatImage& image, float exposure) {
     std::vector<uint8_t> bytes;
     bytes.reserve(image.rgb.size());
     for (size_t i = 0; i < size_t{image.width} * image.height; ++i) {
-        const glm::vec3 color = toneMap(pixel(image, i) * exposure);
-        bytes.insert(bytes.end(), {srgbByte(color.x), srgbByte(color.y), srgbByte(color.z)});
+        const glm::vec3 color = shown::toneMap(pixel(image, i) * exposure);
+        bytes.insert(bytes.end(), {displayByte(color.x), displayByte(color.y), displayByte(color.z)});
     }
     return bytes;
 }
@@ -151,6 +114,21 @@ void writeBytes(const std::string& path, const FloatImage& image, const std::vec
 }
 
 }   // namespace
+
+float autoExposure(const FloatImage& image) {
+    constexpr float kTarget = 0.14f, kBlack = 1e-3f;
+    std::vector<float> lit;
+    for (size_t i = 0; i < size_t{image.width} * image.height; ++i)
+        if (const float value = shown::luminance(pixel(image, i)); value > 0) lit.push_back(value);
+    if (lit.empty()) return 1;
+    const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 9 / 10);
+    std::nth_element(lit.begin(), bright, lit.end());
+    const float black = *bright * kBlack;
+    std::erase_if(lit, [&](float value) { return value < black; });
+    double sum = 0;
+    for (const float value : lit) sum += std::log(value);
+    return kTarget / static_cast<float>(std::exp(sum / static_cast<double>(lit.size())));
+}
 
 void writeExr(const std::string& path, const FloatImage& image) {
     checkShape(path, image);

@@ -19,7 +19,10 @@ struct FloatImage {
 // With alpha, if there is one, as a channel A.
 void writeExr(const std::string& path, const FloatImage& image);
 FloatImage readExr(const std::string& path);
-// Tone-mapped (exposure from the image's log-average luminance unless `exposure` > 0; a filmic curve; sRGB).
+// The factor that brings the log-average luminance a little below middle gray. Pixels darker than a thousandth of
+// the 90th percentile count as black, or a night sky's last glimmer would set the exposure.
+float autoExposure(const FloatImage& image);
+// Tone-mapped (autoExposure() unless `exposure` > 0; a filmic curve; sRGB: tone_map.glsl).
 void writePng(const std::string& path, const FloatImage& image, float exposure = 0);
 // Colours in [0, 1] as they are.
 void writeColorsPng(const std::string& path, const FloatImage& image);

@@ -19,27 +19,32 @@ static_assert(sizeof(Constants) == 80);
 
 }   // namespace
 
+ReferencePass::ReferencePass(const Device& device, const GpuScene& scene, VkImageView target)
+    : scene_(scene), pass_(device, scene, k_reference_spv, std::array{target}, sizeof(Constants)) {}
+
+void ReferencePass::record(VkCommandBuffer cmd, VkExtent2D extent, const Frame& frame,
+                           const ReferenceSettings& settings, bool jitters) const {
+    pass_.record(cmd, extent,
+                 Constants{.pose = frame.pose,
+                           .extent = {extent.width, extent.height},
+                           .seed = hash(frame.seed),
+                           .frame = frame.index,
+                           .paths = settings.paths,
+                           .bounces = settings.bounces,
+                           .lightCount = scene_.referenceLightCount(),
+                           .flags = (settings.nextEvent ? kNextEvent : 0u) | (jitters ? kJitter : 0u) |
+                                    (settings.direct ? 0u : kIndirect)});
+}
+
 Reference::Reference(const Device& device, GpuScene& scene, VkExtent2D extent)
-    : scene_(scene),
-      loop_(device, extent),
-      pass_(device, scene, k_reference_spv, std::array{loop_.target()}, sizeof(Constants)) {}
+    : scene_(scene), loop_(device, extent), pass_(device, scene, loop_.target()) {}
 
 FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& settings,
                              const std::function<void(uint32_t, uint32_t)>& progress) {
-    const uint32_t flags = (settings.nextEvent ? kNextEvent : 0u) | (sequence.jitters() ? kJitter : 0u) |
-                           (settings.direct ? 0u : kIndirect);
     FrameCallbacks callbacks;
     callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) {
         scene_.record(cmd, frame.slot, sequence.motion, frame.time, frame.previousTime);
-        pass_.record(cmd, loop_.extent(),
-                     Constants{.pose = frame.pose,
-                               .extent = {loop_.extent().width, loop_.extent().height},
-                               .seed = hash(frame.seed),
-                               .frame = frame.index,
-                               .paths = settings.paths,
-                               .bounces = settings.bounces,
-                               .lightCount = scene_.referenceLightCount(),
-                               .flags = flags});
+        pass_.record(cmd, loop_.extent(), frame, settings, sequence.jitters());
     };
     callbacks.finished = [&](const Frame&, std::span<const float> target) {
         raysPerFrame_ = 0;

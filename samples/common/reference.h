@@ -13,6 +13,19 @@ struct ReferenceSettings {
     bool nextEvent = true;   // off: BSDF sampling alone, which validates the rest; blind to punctual lights
 };
 
+class ReferencePass {
+public:
+    // `target` in VK_IMAGE_LAYOUT_GENERAL gets each pixel's mean of the frame's paths, w: the rays they took.
+    ReferencePass(const Device& device, const GpuScene& scene, VkImageView target);
+
+    void record(VkCommandBuffer cmd, VkExtent2D extent, const Frame& frame, const ReferenceSettings& settings,
+                bool jitters) const;
+
+private:
+    const GpuScene& scene_;
+    ComputePass pass_;
+};
+
 class Reference {
 public:
     Reference(const Device& device, GpuScene& scene, VkExtent2D extent);
@@ -24,7 +37,7 @@ public:
 private:
     GpuScene& scene_;
     FrameLoop loop_;
-    ComputePass pass_;
+    ReferencePass pass_;
     double raysPerFrame_ = 0;
 };
 

@@ -5,26 +5,6 @@
 namespace samples {
 namespace {
 
-restir::Context makeContext(Device& device, const GpuScene& scene) {
-    restir::ContextDesc desc;
-    desc.device = device.sdkInfo();
-    desc.framesInFlight = FrameSlots::kCount;
-    desc.queueFamily = device.queueFamily();
-    desc.maxTextures = std::max(static_cast<uint32_t>(scene.textures().size()), 1u);
-    return device.require(restir::Context::create(desc), "restir::Context");
-}
-
-restir::Scene makeScene(const Device& device, const restir::Context& context, const GpuScene& scene) {
-    const restir::SceneDesc desc{
-        .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
-    return device.require(restir::Scene::create(context, desc), "restir::Scene");
-}
-
-restir::LightTableDesc lightsOf(const GpuScene& scene) {
-    const FloatImage& sky = scene.skyMap();
-    return {.maxLights = scene.maxLights(), .maxEnvironmentTexels = sky.width * sky.height};
-}
-
 restir::SessionDesc withExtent(restir::SessionDesc desc, VkExtent2D extent) {
     desc.maxExtent = extent;
     return desc;
@@ -37,23 +17,10 @@ Renderer::Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::S
       scene_(scene),
       loop_(device, extent),
       gbuffer_(device, scene, extent),
-      context_(makeContext(device, scene)),
-      sdkScene_(makeScene(device, context_, scene)),
-      lights_(device.require(restir::LightTable::create(context_, lightsOf(scene)), "restir::LightTable")),
-      session_(
-          device.require(restir::Session::create(context_, withExtent(session, extent)), "restir::Session")),
-      lightBytes_(restir::LightTable::memoryNeeded(context_, lightsOf(scene))) {
-    if (const FloatImage& sky = scene.skyMap(); !sky.rgb.empty()) {
-        device.check(lights_.uploadEnvironment({sky.width, sky.height, sky.rgb}), "restir::LightTable::uploadEnvironment");
+      lighting_(device, scene),
+      session_(lighting_.makeSession(withExtent(session, extent))) {
+    if (!scene.skyMap().rgb.empty())
         background_ = std::make_unique<BackgroundPass>(device, scene, gbuffer_, loop_.target(), extent);
-    }
-    device.submitAndWait([&](VkCommandBuffer cmd) { uploadLights(cmd, 0); });
-}
-
-void Renderer::uploadLights(VkCommandBuffer cmd, uint32_t slot) {
-    device_.check(lights_.upload(slot, scene_.lights()), "restir::LightTable::upload");
-    device_.check(lights_.record(cmd, slot), "restir::LightTable::record");
-    lightVersion_ = scene_.version();
 }
 
 FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& settings,
@@ -75,21 +42,12 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
 
 void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame& frame) {
     scene_.record(cmd, frame.slot, sequence.motion, frame.time, frame.previousTime);
-    if (lightVersion_ != scene_.version()) uploadLights(cmd, frame.slot);
+    lighting_.record(cmd, frame.slot);
     gbuffer_.record(cmd, frame.pose, frame.previous, frame.jitter, restir::Session::inputScope());
     restir::Settings settings = settings_;
     settings.counters = settings.counters || frame.last;
-    restir::FrameInput input;
-    input.frameSlot = frame.slot;
-    input.frameIndex = frame.index;
-    input.seed = frame.seed;
-    input.extent = loop_.extent();
-    input.camera = sdkCamera(frame.pose, frame.jitter);
-    input.gbuffer = gbuffer_.describe();
-    input.tlas = scene_.tlas();
-    if (sequence.previousTlas) input.previousTlas = scene_.previousTlas();
-    input.scene = &sdkScene_;
-    input.lights = &lights_;
+    restir::FrameInput input = lighting_.input(frame, gbuffer_);
+    if (!sequence.previousTlas) input.previousTlas = VK_NULL_HANDLE;
     input.output.radiance = loop_.target();
     if (debugs()) {
         const restir::Scope scope = restir::Session::outputScope();
@@ -98,7 +56,6 @@ void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame
         input.output.radiance = unseen_.view();
         input.output.debug = loop_.target();
     }
-    input.resetHistory = frame.index == 0;
     device_.check(session_.record(cmd, input, settings), "restir::Session::record");
     if (background_ && !debugs()) background_->record(cmd, frame.pose, frame.jitter);
 }
@@ -125,7 +82,7 @@ void Renderer::collect(const Frame& frame, std::span<const float> target) {
 std::vector<restir::BufferInfo> Renderer::memory() const {
     const auto perView = session_.memory();
     std::vector<restir::BufferInfo> result(perView.begin(), perView.end());
-    result.push_back({.name = "light table", .bytes = lightBytes_});
+    result.push_back(lighting_.memory());
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include "common/background.h"
 #include "common/frame_loop.h"
 #include "common/gbuffer.h"
+#include "common/lighting.h"
 
 namespace samples {
 
@@ -44,7 +45,6 @@ private:
     void record(VkCommandBuffer cmd, const Sequence& sequence, const Frame& frame);
     void collect(const Frame& frame, std::span<const float> target);
     bool debugs() const { return settings_.debugView != restir::DebugView::None; }
-    void uploadLights(VkCommandBuffer cmd, uint32_t slot);
 
     Device& device_;
     GpuScene& scene_;
@@ -52,12 +52,8 @@ private:
     GpuImage unseen_;   // takes the radiance where something else is looked at
     GBufferPass gbuffer_;
     std::unique_ptr<BackgroundPass> background_;   // null: the scene has no sky
-    restir::Context context_;
-    restir::Scene sdkScene_;
-    restir::LightTable lights_;
+    Lighting lighting_;
     restir::Session session_;
-    VkDeviceSize lightBytes_ = 0;
-    uint64_t lightVersion_ = 0;   // of the scene's lights in lights_
     restir::Settings settings_;   // of the sequence, as its alpha
     std::vector<float> alpha_;
     RenderStats stats_;

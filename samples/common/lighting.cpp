@@ -1,0 +1,76 @@
+#include "common/lighting.h"
+
+#include <algorithm>
+
+namespace samples {
+namespace {
+
+restir::Context makeContext(Device& device, const GpuScene& scene) {
+    restir::ContextDesc desc;
+    desc.device = device.sdkInfo();
+    desc.framesInFlight = FrameSlots::kCount;
+    desc.queueFamily = device.queueFamily();
+    desc.maxTextures = std::max(static_cast<uint32_t>(scene.textures().size()), 1u);
+    return device.require(restir::Context::create(desc), "restir::Context");
+}
+
+restir::Scene makeScene(const Device& device, const restir::Context& context, const GpuScene& scene) {
+    const restir::SceneDesc desc{
+        .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
+    return device.require(restir::Scene::create(context, desc), "restir::Scene");
+}
+
+restir::LightTableDesc lightsOf(const GpuScene& scene) {
+    const FloatImage& sky = scene.skyMap();
+    return {.maxLights = scene.maxLights(), .maxEnvironmentTexels = sky.width * sky.height};
+}
+
+}   // namespace
+
+Lighting::Lighting(Device& device, GpuScene& scene)
+    : device_(device),
+      scene_(scene),
+      context_(makeContext(device, scene)),
+      sdkScene_(makeScene(device, context_, scene)),
+      lights_(device.require(restir::LightTable::create(context_, lightsOf(scene)), "restir::LightTable")) {
+    if (const FloatImage& sky = scene.skyMap(); !sky.rgb.empty())
+        device.check(lights_.uploadEnvironment({sky.width, sky.height, sky.rgb}),
+                     "restir::LightTable::uploadEnvironment");
+    device.submitAndWait([&](VkCommandBuffer cmd) { upload(cmd, 0); });
+}
+
+void Lighting::upload(VkCommandBuffer cmd, uint32_t slot) {
+    device_.check(lights_.upload(slot, scene_.lights()), "restir::LightTable::upload");
+    device_.check(lights_.record(cmd, slot), "restir::LightTable::record");
+    version_ = scene_.version();
+}
+
+void Lighting::record(VkCommandBuffer cmd, uint32_t slot) {
+    if (version_ != scene_.version()) upload(cmd, slot);
+}
+
+restir::FrameInput Lighting::input(const Frame& frame, const GBufferPass& gbuffer) const {
+    restir::FrameInput input;
+    input.frameSlot = frame.slot;
+    input.frameIndex = frame.index;
+    input.seed = frame.seed;
+    input.extent = gbuffer.extent();
+    input.camera = sdkCamera(frame.pose, frame.jitter);
+    input.gbuffer = gbuffer.describe();
+    input.tlas = scene_.tlas();
+    input.previousTlas = scene_.previousTlas();
+    input.scene = &sdkScene_;
+    input.lights = &lights_;
+    input.resetHistory = frame.cut;
+    return input;
+}
+
+restir::Session Lighting::makeSession(const restir::SessionDesc& desc) const {
+    return device_.require(restir::Session::create(context_, desc), "restir::Session");
+}
+
+restir::BufferInfo Lighting::memory() const {
+    return {.name = "light table", .bytes = restir::LightTable::memoryNeeded(context_, lightsOf(scene_))};
+}
+
+}   // namespace samples

@@ -136,6 +136,10 @@ void GpuImage::swap(GpuImage& other) noexcept {
 }
 
 VkImageMemoryBarrier2 imageBarrier(const GpuImage& image, const Access& from, const Access& to) {
+    return imageBarrier(image.handle(), from, to);
+}
+
+VkImageMemoryBarrier2 imageBarrier(VkImage image, const Access& from, const Access& to) {
     return {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
             .srcStageMask = from.stages,
             .srcAccessMask = from.access,
@@ -145,7 +149,7 @@ VkImageMemoryBarrier2 imageBarrier(const GpuImage& image, const Access& from, co
             .newLayout = to.layout,
             .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
             .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-            .image = image.handle(),
+            .image = image,
             .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
 }
 

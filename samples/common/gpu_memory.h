@@ -70,6 +70,7 @@ struct Access {
     VkAccessFlags2 access = 0;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
+VkImageMemoryBarrier2 imageBarrier(VkImage image, const Access& from, const Access& to);
 VkImageMemoryBarrier2 imageBarrier(const GpuImage& image, const Access& from, const Access& to);
 void pipelineBarrier(VkCommandBuffer cmd, std::span<const VkImageMemoryBarrier2> images);
 // Everything written by `from` becomes visible to `to`; layouts are ignored.

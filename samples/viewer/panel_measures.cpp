@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <array>
+
+#include <imgui.h>
+
+#include "viewer/panels.h"
+
+namespace viewer {
+namespace {
+
+constexpr float kGraphHeight = 120;
+
+ImU32 colorOf(size_t pass) {   // neighbours in the stack far apart in hue
+    return ImColor::HSV(static_cast<float>(pass) * 0.618034f, 0.6f, 0.85f);
+}
+
+double sumOf(const FrameRecord& record) {
+    double sum = 0;
+    for (const double milliseconds : record.passes) sum += milliseconds;
+    return sum;
+}
+
+// A column for each frame, its passes one above the other.
+void drawGraph(const History& history) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, kGraphHeight};
+    double top = 1e-3;
+    for (const FrameRecord& record : history.records()) top = std::max(top, sumOf(record));
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, IM_COL32(20, 20, 24, 255));
+    const float width = size.x / static_cast<float>(History::kShown);
+    float x = corner.x + size.x - width * static_cast<float>(history.records().size());
+    for (const FrameRecord& record : history.records()) {
+        float y = corner.y + size.y;
+        for (size_t i = 0; i < record.passes.size(); ++i) {
+            const float height = size.y * static_cast<float>(record.passes[i] / top);
+            list->AddRectFilled({x, y - height}, {x + width, y}, colorOf(i));
+            y -= height;
+        }
+        x += width;
+    }
+    char label[32];
+    std::snprintf(label, sizeof label, "%.3g ms", top);
+    list->AddText({corner.x + 4, corner.y + 2}, IM_COL32(200, 200, 200, 255), label);
+    ImGui::Dummy(size);
+}
+
+// The mean of the last frames that had it.
+double recent(const History& history, size_t pass) {
+    constexpr size_t kFrames = 20;
+    double sum = 0;
+    size_t count = 0;
+    const auto& records = history.records();
+    for (size_t i = records.size() - std::min(records.size(), kFrames); i < records.size(); ++i) {
+        if (records[i].passes.size() <= pass || records[i].passes[pass] == 0) continue;
+        sum += records[i].passes[pass];
+        ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+void drawPasses(const History& history) {
+    if (!ImGui::BeginTable("passes", 2)) return;
+    for (size_t i = 0; i < history.passes().size(); ++i) {
+        const double milliseconds = recent(history, i);
+        if (milliseconds == 0) continue;
+        ImGui::TableNextColumn();
+        ImGui::ColorButton(history.passes()[i].c_str(), ImColor(colorOf(i)), ImGuiColorEditFlags_NoTooltip, {12, 12});
+        ImGui::SameLine();
+        ImGui::Text("%8.3f ms  %s", milliseconds, history.passes()[i].c_str());
+    }
+    ImGui::EndTable();
+}
+
+void drawErrors(const Facts& facts) {
+    const std::vector<float>& errors = facts.history.errors();
+    if (errors.empty()) return;
+    char label[96];
+    std::snprintf(label, sizeof label, "error %.3g of a frame, against %u paths a pixel", static_cast<double>(errors.back()),
+                  facts.referenceFrames);
+    ImGui::PushItemWidth(-1);
+    ImGui::PlotLines("##error", errors.data(), static_cast<int>(errors.size()), 0, label, 0, FLT_MAX, {0, 60});
+    ImGui::PopItemWidth();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("mean of (I - R)^2 / (R^2 + 0.01 mean(R)^2) over luminances, as restir-bench measures it;\n"
+                          "the reference's own noise is in it, and goes down with its paths");
+}
+
+}   // namespace
+
+void drawMeasures(const Facts& facts) {
+    const auto& records = facts.history.records();
+    const double pixels = static_cast<double>(facts.extent.width) * facts.extent.height;
+    std::vector<double> last;
+    for (const FrameRecord& record : records)
+        if (record.frame > 0) last.push_back(record.frame);
+    const Pacing pacing = pacingOf(last);
+    ImGui::Text("%s", facts.device.properties().deviceName);
+    ImGui::Text("frames: %.1f ms mean, %.1f p95, %.1f max; %u in flight", pacing.mean, pacing.p95, pacing.max,
+                samples::FrameSlots::kCount);
+    ImGui::Text("%.2f rays a pixel", static_cast<double>(facts.counters.rays) / pixels);
+    if (!facts.device.hasTimestamps()) ImGui::TextDisabled("this queue has no timestamps: no times of passes");
+    if (!records.empty()) {
+        ImGui::Text("the library's passes: %.3f ms on the GPU", sumOf(records.back()));
+        drawGraph(facts.history);
+        drawPasses(facts.history);
+    }
+    drawErrors(facts);
+}
+
+}   // namespace viewer

@@ -1,0 +1,76 @@
+// The settings by the table that command lines are made of, each with its help as a tooltip.
+#include <cmath>
+#include <cstdio>
+
+#include <imgui.h>
+
+#include "common/di_options.h"
+#include "viewer/panels.h"
+
+namespace viewer {
+namespace {
+
+using samples::DiOption;
+
+std::vector<std::string> choicesOf(const std::string& values) {
+    std::vector<std::string> choices;
+    for (size_t at = 0; at <= values.size();) {
+        const size_t bar = std::min(values.find('|', at), values.size());
+        choices.push_back(values.substr(at, bar - at));
+        at = bar + 1;
+    }
+    return choices;
+}
+
+// Each of these is the new value, or nothing where it is the old one.
+std::string editSwitch(const DiOption& option, const std::string& value) {
+    bool on = value == "on";
+    if (!ImGui::Checkbox(option.name.c_str(), &on)) return {};
+    return on ? "on" : "off";
+}
+
+std::string editChoice(const DiOption& option, const std::string& value) {
+    std::string chosen;
+    if (!ImGui::BeginCombo(option.name.c_str(), value.c_str())) return chosen;
+    for (const std::string& choice : choicesOf(option.values))
+        if (ImGui::Selectable(choice.c_str(), choice == value)) chosen = choice;
+    ImGui::EndCombo();
+    return chosen;
+}
+
+// What is out of range the SDK refuses in words.
+std::string editNumber(const DiOption& option, const std::string& value, const restir::DiSettings& settings) {
+    restir::DiSettings scratch = settings;
+    const bool whole = !option.set(scratch, "0.5");
+    float number = std::stof(value);
+    const float speed = whole ? 0.1f : std::max(0.005f * std::abs(number), 0.002f);
+    if (!ImGui::DragFloat(option.name.c_str(), &number, speed, 0, 0, whole ? "%.0f" : "%.3g")) return {};
+    char text[32];
+    std::snprintf(text, sizeof text, whole ? "%.0f" : "%.4g", static_cast<double>(number));
+    return text;
+}
+
+void edit(const DiOption& option, restir::DiSettings& settings) {
+    const std::string value = option.get(settings);
+    const bool changed = value != option.get({});
+    if (changed) ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.85f, 0.5f, 1.0f});
+    const std::string wanted = option.values == "on|off"                           ? editSwitch(option, value)
+                               : option.values.find('|') != std::string::npos ? editChoice(option, value)
+                                                                                    : editNumber(option, value, settings);
+    if (changed) ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", option.help.c_str());
+    if (!wanted.empty()) option.set(settings, wanted);
+}
+
+}   // namespace
+
+void drawSettings(State& state) {
+    for (const PresetName& known : kPresets) {
+        if (ImGui::Button(known.name)) state.settings.di = restir::presetSettings(known.preset);
+        ImGui::SameLine();
+    }
+    if (ImGui::Button("defaults")) state.settings.di = {};
+    for (const DiOption& option : samples::diOptions()) edit(option, state.settings.di);
+}
+
+}   // namespace viewer

@@ -1,10 +1,11 @@
-# Sourced by samples/demo.sh and tests/run.sh with $root set: restir_setup installs what a build lacks, through apt.
+# Sourced by samples/demo.sh, samples/viewer.sh and tests/run.sh with $root set: restir_setup installs what a build lacks, through apt.
 
 tools='c++:g++ cmake:cmake ninja:ninja-build glslangValidator:glslang-tools'
 libraries='libvulkan-dev libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenexr-dev libcli11-dev
     vulkan-validationlayers'
 test_tools='spirv-val:spirv-tools'
 test_libraries='libgtest-dev'
+viewer_libraries='libglfw3-dev libimgui-dev'
 # The first release whose software Vulkan driver has ray query.
 least_mesa=24.1
 
@@ -144,7 +145,7 @@ setup_driver() {
     fi
 }
 
-restir_setup() {   # restir_setup [tests]
+restir_setup() {   # restir_setup [tests|viewer]
     # The driver's compiled shaders, seconds each, survive from run to run.
     export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-$root/build/mesa}"
     mkdir -p "$MESA_SHADER_CACHE_DIR"
@@ -154,7 +155,8 @@ restir_setup() {   # restir_setup [tests]
         return
     fi
     [ "${1:-}" = tests ] || { test_tools=''; test_libraries=''; }
-    missing=$(missing_tools $tools $test_tools; missing_libraries $libraries $test_libraries)
+    [ "${1:-}" = viewer ] || viewer_libraries=''
+    missing=$(missing_tools $tools $test_tools; missing_libraries $libraries $test_libraries $viewer_libraries)
     if [ -n "$missing" ]; then
         say 'installing' $missing
         apt_update

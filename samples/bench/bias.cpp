@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bench/command.h"
+#include "common/scene_options.h"
 #include "common/setting_options.h"
 #include "proof/run.h"
 
@@ -91,7 +92,7 @@ void addBias(CLI::App& app) {
         ->type_name("FILE");
     command->add_option("--scene", options->scene, "a glTF file or builtin:NAME (builtin:cornell)")
         ->type_name("SCENE");
-    addSize(*command, options->extent);
+    samples::addSize(*command, options->extent, "of the picture in pixels");
     command->add_option("--scenario", options->scenarios, known + " (static)")
         ->delimiter(',')
         ->type_name("NAME,...");

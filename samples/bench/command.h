@@ -12,15 +12,13 @@
 
 namespace bench {
 
-void addCost(CLI::App& app);    // what an estimator costs
-void addError(CLI::App& app);   // what it buys
-void addBias(CLI::App& app);    // what its mean converges to
-void addTable(CLI::App& app);   // what addBias() found, as text
-void addPlot(CLI::App& app);    // and as pictures
+void addCost(CLI::App& app);     // what an estimator costs
+void addError(CLI::App& app);    // what it buys
+void addBias(CLI::App& app);     // what its mean converges to
+void addTable(CLI::App& app);    // what addBias() found, as text
+void addPlot(CLI::App& app);     // and as pictures
 void addLights(CLI::App& app);   // what lights that all move cost
 
-// --size WxH into `extent`.
-void addSize(CLI::App& app, VkExtent2D& extent);
 // --row NAME='settings', repeatable.
 void addRows(CLI::App& app, std::vector<std::string>& texts);
 

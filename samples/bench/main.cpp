@@ -6,22 +6,6 @@
 
 namespace bench {
 
-void addSize(CLI::App& app, VkExtent2D& extent) {
-    const std::string usual = std::to_string(extent.width) + "x" + std::to_string(extent.height);
-    app.add_option_function<std::string>(
-           "--size",
-           [&extent](const std::string& text) {
-               char rest = 0;
-               unsigned width = 0, height = 0;
-               if (std::sscanf(text.c_str(), "%5ux%5u%c", &width, &height, &rest) != 2 || width == 0 ||
-                   height == 0)
-                   throw std::runtime_error("--size: expected WxH, not '" + text + "'");
-               extent = {width, height};
-           },
-           "of the picture in pixels (" + usual + ")")
-        ->type_name("WxH");
-}
-
 void addRows(CLI::App& app, std::vector<std::string>& texts) {
     app.add_option("--row", texts, "an estimator, as in --row quick='weights=off radius=6'; may be repeated")
         ->type_name("NAME=SETTINGS")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common/scene_options.h"
 #include "common/setting_options.h"
 
 namespace bench {
@@ -25,7 +26,7 @@ double medianOf(const samples::PassStats& pass) {
 
 void addScene(CLI::App& command, SceneOptions& options) {
     command.add_option("scene", options.scene, "a glTF file or builtin:NAME")->required()->type_name("SCENE");
-    addSize(command, options.extent);
+    samples::addSize(command, options.extent, "of the picture in pixels");
     command.add_option("--frames", options.frames, "of a sequence, the last of which is measured (30)")
         ->check(CLI::Range(2, 10000))
         ->type_name("N");

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <stdexcept>
 
 namespace samples {
 namespace {
@@ -47,24 +48,28 @@ DebugLegend coloursOf(DebugView view, const restir::DiSettings& di) {
         case DebugView::Weight:
             return {"contribution weight W", ramp({1e-2, 1, 1e2, 1e4, 1e6})};
         case DebugView::Duplicates:
-            return {"pixels of the 48 around with the same point on the same light", ramp({0, 3, 12, 27, 48})};
+            return {"pixels of the 48 around with the same point on the same light",
+                    ramp({0, 3, 12, 27, 48})};
         case DebugView::Light:
             return {"a colour for each light; A: its id", {}};
         case DebugView::Visibility:
             return {"whether the pixel sees its sample",
-                    {{"green", {0.15f, 0.75f, 0.35f}, "visible, A: 1"}, {"red", {0.9f, 0.1f, 0.1f}, "occluded, A: 0"}}};
+                    {{"green", {0.15f, 0.75f, 0.35f}, "visible, A: 1"},
+                     {"red", {0.9f, 0.1f, 0.1f}, "occluded, A: 0"}}};
         case DebugView::Samples:
             return {"point on the light; A: its distance in metres, 1e30 where infinite",
                     {{"red", {1, 0, 0}, "vertex 1 of a triangle, else u"},
                      {"green", {0, 1, 0}, "vertex 2, else v"},
                      {"blue", {0, 0, 1}, "vertex 0, else what u and v leave of 1"}}};
         case DebugView::Neighbours:
-            return {"what became of the neighbours that the last spatial pass asked, in shares; A: how many it took",
-                    {{"dark grey", {0.15f, 0.15f, 0.15f}, "taken"},
-                     {"red", {1.0f, 0.1f, 0.1f}, "rejected: another normal"},
-                     {"blue", {0.15f, 0.3f, 1.0f}, "rejected: off this surface's plane"},
-                     {"green", {0.1f, 0.8f, 0.1f}, "rejected: no surface there"},
-                     {"white", {1, 1, 1}, "outside the image, or the pixel itself"}}};
+            return {
+                "what became of the neighbours that the last spatial pass asked, in shares; A: how many it "
+                "took",
+                {{"dark grey", {0.15f, 0.15f, 0.15f}, "taken"},
+                 {"red", {1.0f, 0.1f, 0.1f}, "rejected: another normal"},
+                 {"blue", {0.15f, 0.3f, 1.0f}, "rejected: off this surface's plane"},
+                 {"green", {0.1f, 0.8f, 0.1f}, "rejected: no surface there"},
+                 {"white", {1, 1, 1}, "outside the image, or the pixel itself"}}};
     }
     return {};
 }
@@ -72,6 +77,18 @@ DebugLegend coloursOf(DebugView view, const restir::DiSettings& di) {
 }   // namespace
 
 std::span<const DebugViewName> debugViews() { return kNames; }
+
+restir::DebugView findDebugView(std::string_view name) {
+    for (const DebugViewName& known : kNames)
+        if (known.name == name) return known.view;
+    throw std::runtime_error("'" + std::string(name) + "' is no debug view, known: " + debugViewList());
+}
+
+std::string debugViewList() {
+    std::string list;
+    for (const DebugViewName& known : kNames) list += (list.empty() ? "" : "|") + std::string(known.name);
+    return list;
+}
 
 DebugLegend legendOf(DebugView view, const restir::DiSettings& di) {
     DebugLegend legend = coloursOf(view, di);

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <restir/settings.h>
@@ -14,6 +15,9 @@ struct DebugViewName {
     const char* name;
 };
 std::span<const DebugViewName> debugViews();   // all but None
+// Throws std::runtime_error listing them.
+restir::DebugView findDebugView(std::string_view name);
+std::string debugViewList();   // "a|b|c"
 
 struct DebugLegend {
     struct Line {

@@ -162,7 +162,8 @@ void Device::makeInstance(const DeviceDesc& desc) {
                                            .pNext = &messengerInfo,
                                            .enabledValidationFeatureCount = 1,
                                            .pEnabledValidationFeatures = &enabled};
-    std::vector<const char*> extensions = desc.instanceExtensions;   // labels and names work without the layer, too
+    std::vector<const char*> extensions =
+        desc.instanceExtensions;   // labels and names work without the layer, too
     if (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || validate) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     }
@@ -220,7 +221,8 @@ std::optional<uint32_t> Device::findQueueFamily(VkPhysicalDevice physical) const
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    const VkQueueFlags wanted = surface_ ? VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT : VK_QUEUE_COMPUTE_BIT;
+    const VkQueueFlags wanted =
+        surface_ ? VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT : VK_QUEUE_COMPUTE_BIT;
     for (uint32_t i = 0; i < count; ++i) {
         VkBool32 presents = VK_TRUE;
         if (surface_) vkGetPhysicalDeviceSurfaceSupportKHR(physical, i, surface_, &presents);

@@ -20,7 +20,8 @@ void check(VkResult result, const char* what);
 
 struct DeviceDesc {
     bool validate = false;   // core and synchronization validation; messages are printed and counted
-    // For a window: extensions of the instance, and what makes its surface, which the Device then owns and can present to.
+    // For a window: extensions of the instance, and what makes its surface, which the Device then owns and
+    // can present to.
     std::vector<const char*> instanceExtensions = {};
     std::function<VkSurfaceKHR(VkInstance)> makeSurface = {};
 };

@@ -87,7 +87,9 @@ glm::vec3 pixel(const FloatImage& image, size_t index) {
     return std::isfinite(color.x + color.y + color.z) ? glm::max(color, glm::vec3{0}) : glm::vec3{0};
 }
 
-uint8_t displayByte(float linear) { return static_cast<uint8_t>(std::lround(shown::encodeSrgb(linear) * 255)); }
+uint8_t displayByte(float linear) {
+    return static_cast<uint8_t>(std::lround(shown::encodeSrgb(linear) * 255));
+}
 
 std::vector<uint8_t> displayBytes(const FloatImage& image, float exposure) {
     std::vector<uint8_t> bytes;
@@ -136,7 +138,8 @@ void writeExr(const std::string& path, const FloatImage& image) {
         Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
         for (const char* name : kChannelNames) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
         // OpenEXR has one slice type for reading and writing; here it only reads.
-        Imf::FrameBuffer buffer = interleaved(const_cast<float*>(image.rgb.data()), image.width, {0, 0}, false);
+        Imf::FrameBuffer buffer =
+            interleaved(const_cast<float*>(image.rgb.data()), image.width, {0, 0}, false);
         if (!image.alpha.empty()) {
             header.channels().insert("A", Imf::Channel(Imf::FLOAT));
             char* alpha = reinterpret_cast<char*>(const_cast<float*>(image.alpha.data()));

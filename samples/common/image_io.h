@@ -19,8 +19,8 @@ struct FloatImage {
 // With alpha, if there is one, as a channel A.
 void writeExr(const std::string& path, const FloatImage& image);
 FloatImage readExr(const std::string& path);
-// The factor that brings the log-average luminance a little below middle gray. Pixels darker than a thousandth of
-// the 90th percentile count as black, or a night sky's last glimmer would set the exposure.
+// The factor that brings the log-average luminance a little below middle gray. Pixels darker than a
+// thousandth of the 90th percentile count as black, or a night sky's last glimmer would set the exposure.
 float autoExposure(const FloatImage& image);
 // Tone-mapped (autoExposure() unless `exposure` > 0; a filmic curve; sRGB: tone_map.glsl).
 void writePng(const std::string& path, const FloatImage& image, float exposure = 0);

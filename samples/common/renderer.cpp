@@ -30,7 +30,8 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
     settings_ = settings;
     alpha_.clear();
     if (debugs() && unseen_.handle() == VK_NULL_HANDLE)
-        unseen_ = GpuImage(device_, loop_.extent(), VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_STORAGE_BIT);
+        unseen_ =
+            GpuImage(device_, loop_.extent(), VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_STORAGE_BIT);
     callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, sequence, frame); };
     callbacks.finished = [&](const Frame& frame, std::span<const float> target) { collect(frame, target); };
     callbacks.progress = progress;
@@ -52,7 +53,8 @@ void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame
     if (debugs()) {
         const restir::Scope scope = restir::Session::outputScope();
         const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
-        pipelineBarrier(cmd, {{imageBarrier(unseen_, {scope.stages, scope.access, VK_IMAGE_LAYOUT_UNDEFINED}, written)}});
+        pipelineBarrier(
+            cmd, {{imageBarrier(unseen_, {scope.stages, scope.access, VK_IMAGE_LAYOUT_UNDEFINED}, written)}});
         input.output.radiance = unseen_.view();
         input.output.debug = loop_.target();
     }

@@ -1,6 +1,5 @@
 #include "common/scene_options.h"
 
-#include <array>
 #include <charconv>
 #include <stdexcept>
 
@@ -11,29 +10,61 @@
 namespace samples {
 namespace {
 
-glm::vec3 parsePoint(const std::string& text, const char* option) {
-    glm::vec3 point{0};
+constexpr uint32_t kLargestSide = 16384;
+
+// `count` numbers with a separator between them and nothing else.
+template <class T>
+bool parseList(const std::string& text, char separator, T* values, size_t count) {
     const char* at = text.data();
     const char* end = at + text.size();
-    for (int i = 0; i < 3; ++i) {
-        const auto [rest, error] = std::from_chars(at, end, point[i]);
-        if (error != std::errc{} || (i == 2 ? rest != end : rest == end || *rest != ','))
-            throw std::runtime_error(std::string(option) + ": expected X,Y,Z, not '" + text + "'");
-        at = rest + 1;
+    for (size_t i = 0; i < count; ++i) {
+        const auto [rest, error] = std::from_chars(at, end, values[i]);
+        const bool last = i + 1 == count;
+        if (error != std::errc{} || (last ? rest != end : rest == end || *rest != separator)) return false;
+        at = last ? rest : rest + 1;
     }
+    return true;
+}
+
+glm::vec3 parsePoint(const std::string& text, const char* option) {
+    glm::vec3 point{0};
+    if (!parseList(text, ',', &point[0], 3))
+        throw std::runtime_error(std::string(option) + ": expected X,Y,Z, not '" + text + "'");
     return point;
 }
 
 }   // namespace
 
+VkExtent2D parseSize(const std::string& text) {
+    uint32_t sides[2] = {};
+    if (!parseList(text, 'x', sides, 2)) throw std::runtime_error("--size: expected WxH, not '" + text + "'");
+    for (const uint32_t side : sides) {
+        if (side >= 1 && side <= kLargestSide) continue;
+        throw std::runtime_error("--size: '" + text + "' has a side outside [1, " +
+                                 std::to_string(kLargestSide) + "]");
+    }
+    return {sides[0], sides[1]};
+}
+
+void addSize(CLI::App& app, VkExtent2D& extent, const std::string& help) {
+    const std::string usual = std::to_string(extent.width) + "x" + std::to_string(extent.height);
+    app.add_option_function<std::string>(
+           "--size", [&extent](const std::string& text) { extent = parseSize(text); },
+           help + " (" + usual + ")")
+        ->type_name("WxH");
+}
+
 void addSceneOptions(CLI::App& app, SceneOptions& options) {
     auto* camera = app.add_option("--camera", options.camera, "one of the scene's cameras");
     camera->type_name("INDEX");
     app.add_option("--eye", options.eye, "camera position")->type_name("X,Y,Z")->excludes(camera);
-    app.add_option("--target", options.target, "what the camera looks at")->type_name("X,Y,Z")->excludes(camera);
+    app.add_option("--target", options.target, "what the camera looks at")
+        ->type_name("X,Y,Z")
+        ->excludes(camera);
     app.add_option("--fov", options.fov, "vertical field of view (45)")->type_name("DEG")->excludes(camera);
     app.add_flag("--lambert", options.lambert, "make every material a diffuse one of its base colour");
-    auto* environment = app.add_option("--env", options.environment, "environment map: a file, or builtin:sky");
+    auto* environment =
+        app.add_option("--env", options.environment, "environment map: a file, or builtin:sky");
     environment->type_name("FILE.hdr|.exr");
     app.add_option("--env-rotation", options.environmentRotation, "turns the map about the vertical")
         ->type_name("DEG")

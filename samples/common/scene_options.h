@@ -1,9 +1,12 @@
-// Which scene, under which sky, seen from where: what programs that show a scene are told on their command lines.
+// Which scene, under which sky, seen from where: what programs that show a scene are told on their command
+// lines.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <vulkan/vulkan_core.h>
 
 #include "common/scene.h"
 
@@ -14,23 +17,28 @@ class App;
 namespace samples {
 
 struct SceneOptions {
-    std::string scene;                  // a file, or builtin:NAME
-    std::string environment = {};       // empty: the scene's own sky, if any
-    float environmentRotation = 0;      // degrees
+    std::string scene;               // a file, or builtin:NAME
+    std::string environment = {};    // empty: the scene's own sky, if any
+    float environmentRotation = 0;   // degrees
     float environmentScale = 1;
-    bool lambert = false;               // makeLambert()
+    bool lambert = false;   // makeLambert()
     std::optional<uint32_t> camera = {};
     std::string eye = {}, target = {};   // X,Y,Z
     float fov = 45;                      // degrees, vertical; with eye and target
 };
+
+// WxH, each side in [1, 16384]. Throws std::runtime_error.
+VkExtent2D parseSize(const std::string& text);
+// --size WxH into `extent`; `help` says of what.
+void addSize(CLI::App& app, VkExtent2D& extent, const std::string& help);
 
 // All but the scene's name. `options` must outlive the parsing.
 void addSceneOptions(CLI::App& app, SceneOptions& options);
 
 // Throws std::runtime_error naming what cannot be had; `warnings` as of loadGltf() and loadSky().
 SceneData load(const SceneOptions& options, std::vector<std::string>& warnings);
-// The options' camera, else the scene's first, else one that frames the scene. Throws std::runtime_error, without a scene,
-// too, for what cannot be.
+// The options' camera, else the scene's first, else one that frames the scene. Throws std::runtime_error,
+// without a scene, too, for what cannot be.
 void checkView(const SceneOptions& options);
 View chooseView(const SceneOptions& options, const SceneData& scene);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -33,11 +34,20 @@ const T& at(const Settings& settings, T Part::*field) {
     return at(const_cast<Settings&>(settings), field);
 }
 
+// As in restir/settings.h; what only has to be above 0 ends where it no longer makes a difference.
+struct Range {
+    double least, most;
+};
+
 template <class Part, class T>
-SettingOption number(std::string name, T Part::*field, std::string help, std::string unit = "N") {
+SettingOption number(std::string name, T Part::*field, std::string help, Range range,
+                     std::string unit = "N") {
     return {.name = std::move(name),
             .values = std::move(unit),
             .help = std::move(help),
+            .least = range.least,
+            .most = range.most,
+            .whole = std::is_integral_v<T>,
             .set =
                 [field](Settings& settings, std::string_view text) {
                     T value{};
@@ -152,9 +162,9 @@ const std::vector<SettingOption>& settingOptions() {
     static const std::vector<SettingOption> kOptions = {
         modeOption(),
         number("bounces", &GiSettings::bounces,
-               "scattering events of a path, where there is indirect light (3)"),
-        number("gi-candidates", &GiSettings::lightCandidates,
-               "light candidates at each vertex of a path (4)"),
+               "scattering events of a path, where there is indirect light (3)", {2, 64}),
+        number("gi-candidates", &GiSettings::lightCandidates, "light candidates at each vertex of a path (4)",
+               {1, 65536}),
         choice<Weights>("weights", &DiSettings::weights, "resampling weights (pairwise)",
                         {{"off", Weights::Off},
                          {"basic", Weights::Basic},
@@ -165,28 +175,31 @@ const std::vector<SettingOption>& settingOptions() {
                                 {{"none", VisibilityReuse::None},
                                  {"cached", VisibilityReuse::Cached},
                                  {"traced", VisibilityReuse::Traced}}),
-        number("candidates", &DiSettings::lightCandidates, "light candidates per round (16)"),
-        number("initial-samples", &DiSettings::initialSamples, "rounds of light candidates per pixel (1)"),
-        number("cut-samples", &DiSettings::cutSamples, "rounds in a frame without history, if more (4)"),
-        number("bsdf-candidates", &DiSettings::bsdfCandidates, "BSDF candidates per pixel (1)"),
+        number("candidates", &DiSettings::lightCandidates, "light candidates per round (16)", {1, 65536}),
+        number("initial-samples", &DiSettings::initialSamples, "rounds of light candidates per pixel (1)",
+               {1, 8}),
+        number("cut-samples", &DiSettings::cutSamples, "rounds in a frame without history, if more (4)",
+               {1, 8}),
+        number("bsdf-candidates", &DiSettings::bsdfCandidates, "BSDF candidates per pixel (1)", {0, 8}),
         onOff("temporal", &DiSettings::temporal, "temporal reuse (on)"),
-        number("max-history", &DiSettings::maxHistory, "frames that temporal reuse may stand for (20)"),
+        number("max-history", &DiSettings::maxHistory, "frames that temporal reuse may stand for (20)",
+               {0, 1000}),
         onOff("permute-history", &DiSettings::permuteHistory, "history of another pixel nearby (off)"),
-        number("spatial-passes", &DiSettings::spatialPasses, "passes of spatial reuse (1)"),
-        number("neighbours", &DiSettings::neighbours, "of each spatial pass (5)"),
+        number("spatial-passes", &DiSettings::spatialPasses, "passes of spatial reuse (1)", {0, 8}),
+        number("neighbours", &DiSettings::neighbours, "of each spatial pass (5)", {1, 16}),
         onOff("fused", &DiSettings::fused, "temporal and spatial reuse in one pass (off)"),
         onOff("checkerboard", &DiSettings::checkerboard,
               "half of the pixels a frame, the rest filled in (off)"),
-        number("radius", &DiSettings::radius, "of spatial reuse (30)", "PX"),
+        number("radius", &DiSettings::radius, "of spatial reuse (30)", {0.1, 1e4}, "PX"),
         onOff("paired-neighbours", &DiSettings::pairedNeighbours,
               "neighbours in pairs that share rays and targets (off)"),
         number("normal-threshold", &DiSettings::normalThreshold,
-               "least cosine between the normals of surfaces that share samples (0.9)"),
+               "least cosine between the normals of surfaces that share samples (0.9)", {-1, 1}),
         number("depth-threshold", &DiSettings::depthThreshold,
-               "largest relative difference of their depths (0.1)"),
+               "largest relative difference of their depths (0.1)", {1e-4, 10}),
         onOff("average", &DiSettings::averageShading,
               "shade the mean of all inputs where it can be had (on)"),
-        number("boiling-filter", &DiSettings::boilingFilter, "strength, 0 to 1 (0: off)"),
+        number("boiling-filter", &DiSettings::boilingFilter, "strength, 0 to 1 (0: off)", {0, 1}),
     };
     return kOptions;
 }

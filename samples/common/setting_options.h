@@ -20,17 +20,18 @@ struct SettingOption {
     std::string name;     // --NAME on a command line, NAME=value in a text
     std::string values;   // what it takes: "N", "PX", "on|off", "a|b|c"
     std::string help;
+    double least = 0, most = 0;   // of a number; both 0: of none
+    bool whole = false;
     std::function<bool(restir::Settings&, std::string_view)> set;   // false: not one of `values`
     std::function<std::string(const restir::Settings&)> get;
 };
 // A new setting is one more line in setting_options.cpp. Those of reuse are direct light's.
 const std::vector<SettingOption>& settingOptions();
-const SettingOption& settingOption(
-    std::string_view name);   // throws std::runtime_error listing the known ones
+// Throws std::runtime_error listing the known ones.
+const SettingOption& settingOption(std::string_view name);
 
 // --preset NAME, and an option --NAME for each of them that `app` has not got yet; on|off ones also as the
-// flag --NAME or
-// --no-NAME. `settings` must outlive the parsing. Call reuseAlike() after it.
+// flag --NAME or --no-NAME. `settings` must outlive the parsing. Call reuseAlike() after it.
 void addSettingOptions(CLI::App& app, restir::Settings& settings);
 // Says of indirect light's reuse what is said of direct light's, but for VisibilityReuse::None, which it does
 // not have.

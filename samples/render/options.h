@@ -9,15 +9,12 @@
 
 #include <restir/settings.h>
 
-#include "common/scene.h"
+#include "common/scene_options.h"
 
 namespace render {
 
 struct Options {
-    std::string scene;
-    std::string environment;         // empty: none
-    float environmentRotation = 0;   // degrees
-    float environmentScale = 1;
+    samples::SceneOptions scene;
     VkExtent2D size{640, 360};
     std::string mode = "di";   // "reference", "ris", or one that samples::modeText() knows
     uint32_t frames = 0;       // 0: as many as the mode needs to settle
@@ -27,7 +24,6 @@ struct Options {
     bool reference() const { return mode == "reference"; }
     bool debugs() const { return settings.debugView != restir::DebugView::None; }
     bool accumulate = false;
-    bool lambert = false;
     bool validate = false;
     bool quiet = false;
     bool referenceNextEvent = true;
@@ -36,17 +32,11 @@ struct Options {
     std::string animation;   // of the scene's; empty: it stands still
     bool jitter = false;
     bool previousTlas = true;
-    std::optional<uint32_t> camera;
-    std::optional<glm::vec3> eye, target;
-    float fov = 45;   // degrees, vertical; with eye and target
     std::string exr, png, stats;
 };
 
 // Nothing after --help or --version, which are answered here. Throws std::runtime_error for anything that
 // cannot be done.
 std::optional<Options> parseOptions(int argc, const char* const* argv);
-
-// The view to render: the options' camera, else the scene's first, else one that frames the scene.
-samples::View chooseView(const Options& options, const samples::SceneData& scene);
 
 }   // namespace render

@@ -9,22 +9,16 @@
 #include "common/reference.h"
 #include "common/renderer.h"
 #include "common/setting_options.h"
-#include "common/sky.h"
 
 namespace render {
 namespace {
 
 samples::SceneData load(const Options& options) {
     std::vector<std::string> warnings;
-    samples::SceneData scene = samples::loadScene(options.scene, warnings);
-    if (!options.environment.empty())
-        scene.sky = {.map = samples::loadSky(options.environment, warnings),
-                     .rotation = glm::radians(options.environmentRotation),
-                     .scale = options.environmentScale};
+    samples::SceneData scene = samples::load(options.scene, warnings);
     for (const std::string& warning : warnings) {
         if (!options.quiet) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     }
-    if (options.lambert) samples::makeLambert(scene);
     return scene;
 }
 
@@ -69,7 +63,7 @@ void writeText(const std::string& path, const std::string& text) {
 
 Outcome render(const Options& options) {
     samples::SceneData data = load(options);
-    const samples::Sequence sequence{.view = chooseView(options, data),
+    const samples::Sequence sequence{.view = samples::chooseView(options.scene, data),
                                      .frames = options.frames,
                                      .seed = options.seed,
                                      .accumulate = options.accumulate,

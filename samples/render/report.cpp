@@ -51,7 +51,7 @@ MemorySums sumUp(const Options& options, const Report& report) {
 }   // namespace
 
 void printTable(const Options& options, const Report& report) {
-    std::printf("%s, %llu triangles (%llu emissive), %llu lights\n", options.scene.c_str(),
+    std::printf("%s, %llu triangles (%llu emissive), %llu lights\n", options.scene.scene.c_str(),
                 static_cast<unsigned long long>(report.triangles),
                 static_cast<unsigned long long>(report.emissiveTriangles),
                 static_cast<unsigned long long>(report.lights));

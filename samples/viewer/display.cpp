@@ -30,20 +30,23 @@ VkExtent2D tilesOf(VkExtent2D extent) {
 
 }   // namespace
 
-Display::Display(const samples::Device& device, const samples::GpuScene& scene, VkExtent2D extent, const Inputs& inputs)
+Display::Display(const samples::Device& device, const samples::GpuScene& scene, VkExtent2D extent,
+                 const Inputs& inputs)
     : extent_(extent),
       tiles_(tilesOf(extent)),
       mean_(device, extent, VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_STORAGE_BIT),
-      shown_(device, extent, VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT),
-      findings_(device, {.size = samples::FrameSlots::kCount * VkDeviceSize{tiles_.width} * tiles_.height * sizeof(Tile),
+      shown_(device, extent, VK_FORMAT_R8G8B8A8_UNORM,
+             VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT),
+      findings_(device, {.size = samples::FrameSlots::kCount * VkDeviceSize{tiles_.width} * tiles_.height *
+                                 sizeof(Tile),
                          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                          .memory = samples::MemoryKind::Readback}),
       pass_(device, scene, k_display_spv,
-            std::array{inputs.radiance, inputs.debug, inputs.paths, mean_.view(), shown_.view()}, sizeof(Constants),
-            std::array{findings_.handle()}) {
+            std::array{inputs.radiance, inputs.debug, inputs.paths, mean_.view(), shown_.view()},
+            sizeof(Constants), std::array{findings_.handle()}) {
     device.submitAndWait([&](VkCommandBuffer cmd) {
-        const samples::Access shader{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-                                     VK_IMAGE_LAYOUT_GENERAL};
+        const samples::Access shader{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                     VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
         samples::pipelineBarrier(cmd, {{samples::imageBarrier(mean_, {}, shader)}});
     });
 }
@@ -51,7 +54,8 @@ Display::Display(const samples::Device& device, const samples::GpuScene& scene, 
 void Display::record(VkCommandBuffer cmd, uint32_t slot, const DisplaySettings& settings) {
     constexpr VkPipelineStageFlags2 kShader = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                     kReaders = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_BLIT_BIT;
-    constexpr VkAccessFlags2 kRead = VK_ACCESS_2_SHADER_STORAGE_READ_BIT, kWrite = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    constexpr VkAccessFlags2 kRead = VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
+                             kWrite = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
     const samples::Access written{kShader, kWrite, VK_IMAGE_LAYOUT_GENERAL};
     samples::memoryBarrier(cmd, {kShader, kWrite}, {kShader, kRead | kWrite});
     samples::pipelineBarrier(cmd, {{samples::imageBarrier(shown_, {kReaders}, written)}});
@@ -64,9 +68,9 @@ void Display::record(VkCommandBuffer cmd, uint32_t slot, const DisplaySettings& 
                            .referenceFrames = settings.referenceFrames,
                            .referenceMean = static_cast<float>(referenceMean_),
                            .firstTile = slot * tiles_.width * tiles_.height});
-    samples::pipelineBarrier(
-        cmd, {{samples::imageBarrier(shown_, written,
-                                     {kReaders, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL})}});
+    samples::pipelineBarrier(cmd, {{samples::imageBarrier(shown_, written,
+                                                          {kReaders, VK_ACCESS_2_TRANSFER_READ_BIT,
+                                                           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL})}});
     samples::memoryBarrier(cmd, {kShader, kWrite}, {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }
 

@@ -25,7 +25,8 @@ public:
     struct Inputs {
         VkImageView radiance, debug, paths;   // in VK_IMAGE_LAYOUT_GENERAL, paths those of ReferencePass
     };
-    Display(const samples::Device& device, const samples::GpuScene& scene, VkExtent2D extent, const Inputs& inputs);
+    Display(const samples::Device& device, const samples::GpuScene& scene, VkExtent2D extent,
+            const Inputs& inputs);
 
     // Behind everything that writes the inputs, in a compute shader; before a copy from image().
     void record(VkCommandBuffer cmd, uint32_t slot, const DisplaySettings& settings);

@@ -9,10 +9,11 @@ Pacing pacingOf(std::vector<double> milliseconds) {
     if (milliseconds.empty()) return {};
     std::sort(milliseconds.begin(), milliseconds.end());
     const size_t count = milliseconds.size();
-    return {.frames = count,
-            .mean = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0) / static_cast<double>(count),
-            .p95 = milliseconds[std::min(count - 1, count * 95 / 100)],
-            .max = milliseconds.back()};
+    return {
+        .frames = count,
+        .mean = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0) / static_cast<double>(count),
+        .p95 = milliseconds[std::min(count - 1, count * 95 / 100)],
+        .max = milliseconds.back()};
 }
 
 void History::endFrame(bool interrupted) {

@@ -20,7 +20,8 @@ void flyAbout(State& state, const Window& window) {
     };
     Flight flight;
     if (!io.WantCaptureKeyboard) {
-        flight.move = {held(GLFW_KEY_D, GLFW_KEY_A), held(GLFW_KEY_E, GLFW_KEY_Q), held(GLFW_KEY_W, GLFW_KEY_S)};
+        flight.move = {held(GLFW_KEY_D, GLFW_KEY_A), held(GLFW_KEY_E, GLFW_KEY_Q),
+                       held(GLFW_KEY_W, GLFW_KEY_S)};
         flight.haste = io.KeyShift ? 4.0f : 1.0f;
     }
     if (!io.WantCaptureMouse) {

@@ -1,4 +1,5 @@
-// restir-viewer: a scene in a window, and everything of the library's that can be changed while one looks at it.
+// restir-viewer: a scene in a window, and everything of the library's that can be changed while one looks at
+// it.
 #include <cstdio>
 #include <exception>
 
@@ -8,8 +9,8 @@ namespace {
 
 void report(const char* what, const std::vector<double>& milliseconds) {
     const viewer::Pacing pacing = viewer::pacingOf(milliseconds);
-    std::printf("%-13s %6zu   mean %8.1f ms   p95 %8.1f ms   max %8.1f ms\n", what, pacing.frames, pacing.mean, pacing.p95,
-                pacing.max);
+    std::printf("%-13s %6zu   mean %8.1f ms   p95 %8.1f ms   max %8.1f ms\n", what, pacing.frames,
+                pacing.mean, pacing.p95, pacing.max);
 }
 
 }   // namespace

@@ -4,25 +4,27 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/di_options.h"
-#include "viewer/script.h"
+#include "common/setting_options.h"
 
 namespace viewer {
 
 std::optional<Options> parseOptions(int argc, const char* const* argv) {
     CLI::App app("Shows a scene with many lights, lit by ReSTIR, in a window.", "restir-viewer");
     Options options;
-    std::string size;
-    app.add_option("scene", options.scene.scene, "a .gltf or .glb file, or builtin:cornell, builtin:market, builtin:street")
+    app.add_option("scene", options.scene.scene,
+                   "a .gltf or .glb file, or builtin:cornell, builtin:market, builtin:street")
         ->default_val("builtin:market")
         ->type_name("SCENE");
-    app.add_option("--size", size, "of the window (1280x720)")->type_name("WxH");
-    app.add_option("--scale", options.scale, "pixels rendered for one of the window's, a side (1; on a CPU 0.25)")
+    samples::addSize(app, options.window, "of the window");
+    app.add_option("--scale", options.scale,
+                   "pixels rendered for one of the window's, a side (1; on a CPU 0.25)")
         ->check(CLI::Range(0.05, 1.0));
     samples::addSceneOptions(app, options.scene);
-    samples::addDiOptions(app, options.settings.di);
-    app.add_option("--script", options.script, "do what a file says, then quit; see README")->type_name("FILE");
-    app.add_option("--seconds", options.seconds, "begin the script anew until so much time has passed")->type_name("N");
+    samples::addSettingOptions(app, options.settings);
+    app.add_option("--script", options.script, "do what a file says, then quit; see README")
+        ->type_name("FILE");
+    app.add_option("--seconds", options.seconds, "begin the script anew until so much time has passed")
+        ->type_name("N");
     app.add_flag("--validate", options.validate, "run under the validation layer; its messages fail the run");
     try {
         app.parse(argc, argv);
@@ -32,8 +34,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw std::runtime_error(error.what());
     }
-    if (!size.empty()) options.window = parseSize(size);
     samples::checkView(options.scene);
+    samples::reuseAlike(options.settings);
     return options;
 }
 

@@ -35,7 +35,8 @@ Overlay::Overlay(const samples::Device& device, const Window& window, const Swap
                                               .maxSets = 1,
                                               .poolSizeCount = 1,
                                               .pPoolSizes = &size};
-    samples::check(vkCreateDescriptorPool(device.handle(), &poolInfo, nullptr, &pool_), "vkCreateDescriptorPool");
+    samples::check(vkCreateDescriptorPool(device.handle(), &poolInfo, nullptr, &pool_),
+                   "vkCreateDescriptorPool");
     ImGui::CreateContext();
     setStyle(window.handle());
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
@@ -46,7 +47,8 @@ Overlay::Overlay(const samples::Device& device, const Window& window, const Swap
     info.QueueFamily = device.queueFamily();
     info.Queue = device.queue();
     info.DescriptorPool = pool_;
-    info.MinImageCount = info.ImageCount = samples::FrameSlots::kCount;   // of its buffers: one for each frame in flight
+    info.MinImageCount = info.ImageCount =
+        samples::FrameSlots::kCount;   // of its buffers: one for each frame in flight
     info.CheckVkResultFn = [](VkResult result) { samples::check(result, "Dear ImGui"); };
     ImGui_ImplVulkan_Init(&info, renderPass_);
     device.submitAndWait([](VkCommandBuffer cmd) { ImGui_ImplVulkan_CreateFontsTexture(cmd); });
@@ -74,8 +76,9 @@ void Overlay::makeRenderPass() {
                                          .initialLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                          .finalLayout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
     const VkAttachmentReference reference{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
-    const VkSubpassDescription subpass{
-        .pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS, .colorAttachmentCount = 1, .pColorAttachments = &reference};
+    const VkSubpassDescription subpass{.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
+                                       .colorAttachmentCount = 1,
+                                       .pColorAttachments = &reference};
     const VkSubpassDependency behindCopy{
         .srcSubpass = VK_SUBPASS_EXTERNAL,
         .dstSubpass = 0,
@@ -109,7 +112,8 @@ void Overlay::resize() {
                                            .width = swapchain_.extent().width,
                                            .height = swapchain_.extent().height,
                                            .layers = 1};
-        samples::check(vkCreateFramebuffer(device_.handle(), &info, nullptr, &targets_.emplace_back()), "vkCreateFramebuffer");
+        samples::check(vkCreateFramebuffer(device_.handle(), &info, nullptr, &targets_.emplace_back()),
+                       "vkCreateFramebuffer");
     }
 }
 

@@ -21,8 +21,8 @@ public:
     // Between begin() and record() the panels are declared; every begin() is followed by record() or drop().
     void begin();
     void drop();
-    // Draws them over what is there. The image comes in TRANSFER_DST_OPTIMAL, written by a transfer, and goes ready for
-    // being shown.
+    // Draws them over what is there. The image comes in TRANSFER_DST_OPTIMAL, written by a transfer, and goes
+    // ready for being shown.
     void record(VkCommandBuffer cmd, uint32_t image);
 
 private:

@@ -1,5 +1,7 @@
 #include <algorithm>
-#include <array>
+#include <cfloat>
+#include <cmath>
+#include <cstdio>
 
 #include <imgui.h>
 
@@ -40,7 +42,7 @@ void drawGraph(const History& history) {
         x += width;
     }
     char label[32];
-    std::snprintf(label, sizeof label, "%.3g ms", top);
+    std::snprintf(label, sizeof label, top < 100 ? "%.3g ms" : "%.0f ms", top);
     list->AddText({corner.x + 4, corner.y + 2}, IM_COL32(200, 200, 200, 255), label);
     ImGui::Dummy(size);
 }
@@ -65,25 +67,32 @@ void drawPasses(const History& history) {
         const double milliseconds = recent(history, i);
         if (milliseconds == 0) continue;
         ImGui::TableNextColumn();
-        ImGui::ColorButton(history.passes()[i].c_str(), ImColor(colorOf(i)), ImGuiColorEditFlags_NoTooltip, {12, 12});
+        ImGui::ColorButton(history.passes()[i].c_str(), ImColor(colorOf(i)), ImGuiColorEditFlags_NoTooltip,
+                           {12, 12});
         ImGui::SameLine();
         ImGui::Text("%8.3f ms  %s", milliseconds, history.passes()[i].c_str());
     }
     ImGui::EndTable();
 }
 
+// Logarithms: the first ones are of a reference that is still noise itself.
 void drawErrors(const Facts& facts) {
     const std::vector<float>& errors = facts.history.errors();
     if (errors.empty()) return;
+    std::vector<float> logarithms;
+    for (const float error : errors) logarithms.push_back(std::log10(std::max(error, 1e-9f)));
     char label[96];
-    std::snprintf(label, sizeof label, "error %.3g of a frame, against %u paths a pixel", static_cast<double>(errors.back()),
-                  facts.referenceFrames);
+    std::snprintf(label, sizeof label, "error %.3g, against %u paths a pixel",
+                  static_cast<double>(errors.back()), facts.referenceFrames);
     ImGui::PushItemWidth(-1);
-    ImGui::PlotLines("##error", errors.data(), static_cast<int>(errors.size()), 0, label, 0, FLT_MAX, {0, 60});
+    ImGui::PlotLines("##error", logarithms.data(), static_cast<int>(logarithms.size()), 0, label, FLT_MAX,
+                     FLT_MAX, {0, 60});
     ImGui::PopItemWidth();
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("mean of (I - R)^2 / (R^2 + 0.01 mean(R)^2) over luminances, as restir-bench measures it;\n"
-                          "the reference's own noise is in it, and goes down with its paths");
+        ImGui::SetTooltip(
+            "of each frame: mean of (I - R)^2 / (R^2 + 0.01 mean(R)^2) over luminances, as restir-bench\n"
+            "measures it, on a logarithmic scale; the reference's own noise is in it, and goes down with its "
+            "paths");
 }
 
 }   // namespace
@@ -99,7 +108,8 @@ void drawMeasures(const Facts& facts) {
     ImGui::Text("frames: %.1f ms mean, %.1f p95, %.1f max; %u in flight", pacing.mean, pacing.p95, pacing.max,
                 samples::FrameSlots::kCount);
     ImGui::Text("%.2f rays a pixel", static_cast<double>(facts.counters.rays) / pixels);
-    if (!facts.device.hasTimestamps()) ImGui::TextDisabled("this queue has no timestamps: no times of passes");
+    if (!facts.device.hasTimestamps())
+        ImGui::TextDisabled("this queue has no timestamps: no times of passes");
     if (!records.empty()) {
         ImGui::Text("the library's passes: %.3f ms on the GPU", sumOf(records.back()));
         drawGraph(facts.history);

@@ -28,7 +28,8 @@ void drawDebugChoice(State& state) {
     for (const samples::DebugViewName& known : samples::debugViews())
         if (known.view == now) shown = known.name;
     if (ImGui::BeginCombo("show", shown)) {
-        if (ImGui::Selectable("light", now == restir::DebugView::None)) state.settings.debugView = restir::DebugView::None;
+        if (ImGui::Selectable("light", now == restir::DebugView::None))
+            state.settings.debugView = restir::DebugView::None;
         for (const samples::DebugViewName& known : samples::debugViews())
             if (ImGui::Selectable((std::string("reservoirs: ") + known.name).c_str(), known.view == now))
                 state.settings.debugView = known.view;
@@ -48,7 +49,9 @@ void drawPicture(State& state, const Facts& facts) {
     ImGui::Text("%ux%u", facts.extent.width, facts.extent.height);
     if (state.scale < 1) ImGui::Checkbox("smooth enlargement", &state.smooth);
     ImGui::Checkbox("reference on the right", &state.split);
-    tooltip("a path tracer that shares no code with the library, the mean of all frames since something moved; drag the line");
+    tooltip(
+        "a path tracer that shares no code with the library, the mean of all frames since something moved; "
+        "drag the line");
     ImGui::SameLine();
     ImGui::Checkbox("error", &state.measure);
     tooltip("trace the reference, and measure every frame against it");
@@ -61,12 +64,15 @@ void drawLegend(const State& state) {
     if (state.settings.debugView == restir::DebugView::None) return;
     const samples::DebugLegend legend = samples::legendOf(state.settings.debugView, state.settings.di);
     ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 10, 10}, ImGuiCond_Always, {1, 0});
-    if (ImGui::Begin("Legend", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::Begin(
+            "Legend", nullptr,
+            ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::PushTextWrapPos(360);
         ImGui::TextUnformatted(legend.title);
         ImGui::PopTextWrapPos();
         for (const samples::DebugLegend::Line& line : legend.lines) {
-            ImGui::ColorButton(line.color, {line.rgb[0], line.rgb[1], line.rgb[2], 1}, ImGuiColorEditFlags_NoTooltip, {14, 14});
+            ImGui::ColorButton(line.color, {line.rgb[0], line.rgb[1], line.rgb[2], 1},
+                               ImGuiColorEditFlags_NoTooltip, {14, 14});
             ImGui::SameLine();
             ImGui::TextUnformatted(line.meaning.c_str());
         }

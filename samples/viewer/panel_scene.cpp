@@ -35,7 +35,8 @@ void drawAnimation(State& state, const Facts& facts) {
 }   // namespace
 
 void drawScene(State& state, const Facts& facts) {
-    static constexpr const char* kBuiltin[] = {"builtin:market", "builtin:cornell", "builtin:street?triangles=100000&emissive=2000"};
+    static constexpr const char* kBuiltin[] = {"builtin:market", "builtin:cornell",
+                                               "builtin:street?triangles=100000&emissive=2000"};
     if (ImGui::BeginCombo("scene", facts.stage.name.c_str())) {
         for (const char* name : kBuiltin)
             if (ImGui::Selectable(name, facts.stage.name == name)) state.load = name;
@@ -61,8 +62,8 @@ void drawMemory(const Facts& facts) {
         ImGui::Text("%9.2f MiB  %s", static_cast<double>(buffer.bytes) / 1048576.0, buffer.name);
     }
     const double pixels = static_cast<double>(facts.extent.width) * facts.extent.height;
-    ImGui::Text("%9.2f MiB  the library's in all, %.0f bytes a pixel shown", static_cast<double>(sum) / 1048576.0,
-                static_cast<double>(perPixel) / pixels);
+    ImGui::Text("%9.2f MiB  the library's in all, %.0f bytes a pixel shown",
+                static_cast<double>(sum) / 1048576.0, static_cast<double>(perPixel) / pixels);
 }
 
 }   // namespace viewer

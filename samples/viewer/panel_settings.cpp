@@ -4,13 +4,13 @@
 
 #include <imgui.h>
 
-#include "common/di_options.h"
+#include "common/setting_options.h"
 #include "viewer/panels.h"
 
 namespace viewer {
 namespace {
 
-using samples::DiOption;
+using samples::SettingOption;
 
 std::vector<std::string> choicesOf(const std::string& values) {
     std::vector<std::string> choices;
@@ -23,13 +23,13 @@ std::vector<std::string> choicesOf(const std::string& values) {
 }
 
 // Each of these is the new value, or nothing where it is the old one.
-std::string editSwitch(const DiOption& option, const std::string& value) {
+std::string editSwitch(const SettingOption& option, const std::string& value) {
     bool on = value == "on";
     if (!ImGui::Checkbox(option.name.c_str(), &on)) return {};
     return on ? "on" : "off";
 }
 
-std::string editChoice(const DiOption& option, const std::string& value) {
+std::string editChoice(const SettingOption& option, const std::string& value) {
     std::string chosen;
     if (!ImGui::BeginCombo(option.name.c_str(), value.c_str())) return chosen;
     for (const std::string& choice : choicesOf(option.values))
@@ -38,25 +38,26 @@ std::string editChoice(const DiOption& option, const std::string& value) {
     return chosen;
 }
 
-// What is out of range the SDK refuses in words.
-std::string editNumber(const DiOption& option, const std::string& value, const restir::DiSettings& settings) {
-    restir::DiSettings scratch = settings;
-    const bool whole = !option.set(scratch, "0.5");
+std::string editNumber(const SettingOption& option, const std::string& value) {
     float number = std::stof(value);
-    const float speed = whole ? 0.1f : std::max(0.005f * std::abs(number), 0.002f);
-    if (!ImGui::DragFloat(option.name.c_str(), &number, speed, 0, 0, whole ? "%.0f" : "%.3g")) return {};
+    const bool wide = option.most > 100;   // over orders of magnitude
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0);
+    const char* format = option.whole ? "%.0f" : "%.3g";
+    if (!ImGui::SliderFloat(option.name.c_str(), &number, static_cast<float>(option.least),
+                            static_cast<float>(option.most), format, flags))
+        return {};
     char text[32];
-    std::snprintf(text, sizeof text, whole ? "%.0f" : "%.4g", static_cast<double>(number));
+    std::snprintf(text, sizeof text, option.whole ? "%.0f" : "%.4g", static_cast<double>(number));
     return text;
 }
 
-void edit(const DiOption& option, restir::DiSettings& settings) {
+void edit(const SettingOption& option, restir::Settings& settings) {
     const std::string value = option.get(settings);
     const bool changed = value != option.get({});
     if (changed) ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.85f, 0.5f, 1.0f});
-    const std::string wanted = option.values == "on|off"                           ? editSwitch(option, value)
+    const std::string wanted = option.values == "on|off"                      ? editSwitch(option, value)
                                : option.values.find('|') != std::string::npos ? editChoice(option, value)
-                                                                                    : editNumber(option, value, settings);
+                                                                              : editNumber(option, value);
     if (changed) ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", option.help.c_str());
     if (!wanted.empty()) option.set(settings, wanted);
@@ -70,7 +71,8 @@ void drawSettings(State& state) {
         ImGui::SameLine();
     }
     if (ImGui::Button("defaults")) state.settings.di = {};
-    for (const DiOption& option : samples::diOptions()) edit(option, state.settings.di);
+    for (const SettingOption& option : samples::settingOptions()) edit(option, state.settings);
+    samples::reuseAlike(state.settings);
 }
 
 }   // namespace viewer

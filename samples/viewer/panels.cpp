@@ -16,6 +16,7 @@ void place(ImVec2 corner, ImVec2 pivot, ImVec2 size) {
 
 void drawControls(State& state, const Facts& facts) {
     const float height = ImGui::GetIO().DisplaySize.y - 2 * kMargin;
+    const bool roomy = height > 900;
     place({kMargin, kMargin}, {0, 0}, {kControlsWidth, height});
     if (ImGui::Begin("restir", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
         ImGui::PushItemWidth(-150);
@@ -26,7 +27,8 @@ void drawControls(State& state, const Facts& facts) {
         }
         if (ImGui::CollapsingHeader("Estimator", ImGuiTreeNodeFlags_DefaultOpen)) drawSettings(state);
         if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) drawPicture(state, facts);
-        if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) drawScene(state, facts);
+        if (ImGui::CollapsingHeader("Scene", roomy ? ImGuiTreeNodeFlags_DefaultOpen : 0))
+            drawScene(state, facts);
         if (ImGui::CollapsingHeader("Memory")) drawMemory(facts);
         if (ImGui::CollapsingHeader("Keys")) ImGui::TextUnformatted(keysText());
         ImGui::PopItemWidth();

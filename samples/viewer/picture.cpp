@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "common/di_options.h"
+#include "common/setting_options.h"
 
 namespace viewer {
 namespace {
 
-constexpr uint32_t kRoom = 64;   // pixels to which a session's extent is rounded up: growing by a few needs no new one
+constexpr uint32_t kRoom =
+    64;   // pixels to which a session's extent is rounded up: growing by a few needs no new one
 
 uint32_t roundUp(uint32_t side) { return (side + kRoom - 1) / kRoom * kRoom; }
 
@@ -29,10 +30,13 @@ Picture::Images::Images(const samples::Device& device, const samples::GpuScene& 
       display(std::make_unique<Display>(device, scene, extent,
                                         Display::Inputs{radiance.view(), debug.view(), paths.view()})) {
     if (!scene.skyMap().rgb.empty())
-        background = std::make_unique<samples::BackgroundPass>(device, scene, gbuffer, radiance.view(), extent);
+        background =
+            std::make_unique<samples::BackgroundPass>(device, scene, gbuffer, radiance.view(), extent);
     device.submitAndWait([&](VkCommandBuffer cmd) {
-        const samples::Access clear{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
-        samples::pipelineBarrier(cmd, std::array{samples::imageBarrier(radiance, {}, clear), samples::imageBarrier(debug, {}, clear),
+        const samples::Access clear{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                    VK_IMAGE_LAYOUT_GENERAL};
+        samples::pipelineBarrier(cmd, std::array{samples::imageBarrier(radiance, {}, clear),
+                                                 samples::imageBarrier(debug, {}, clear),
                                                  samples::imageBarrier(paths, {}, clear)});
         const VkClearColorValue black{};
         const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
@@ -43,15 +47,15 @@ Picture::Images::Images(const samples::Device& device, const samples::GpuScene& 
 
 Picture::Picture(samples::Device& device, Stage& stage) : device_(device), stage_(stage) {}
 
-bool Picture::fit(VkExtent2D extent, const restir::Settings& settings) {
+Picture::Fitted Picture::fit(VkExtent2D extent, const restir::Settings& settings) {
     restir::SessionDesc needed = declared_;
-    samples::declareFor(settings.di, needed);
-    needed.indirect = needed.indirect || settings.gi.mode == restir::IndirectMode::Restir;
+    samples::declareFor(settings, needed);
     needed.maxExtent = {std::max(declared_.maxExtent.width, roundUp(extent.width)),
                         std::max(declared_.maxExtent.height, roundUp(extent.height))};
     const bool grows = !session_ || needed.maxExtent.width > declared_.maxExtent.width ||
                        needed.maxExtent.height > declared_.maxExtent.height ||
-                       needed.pairedNeighbours > declared_.pairedNeighbours || needed.indirect != declared_.indirect;
+                       needed.pairedNeighbours > declared_.pairedNeighbours ||
+                       needed.indirect != declared_.indirect;
     const bool changes = !images_ || extent.width != extent_.width || extent.height != extent_.height;
     if (grows || changes) device_.waitIdle();
     if (grows) {
@@ -64,13 +68,14 @@ bool Picture::fit(VkExtent2D extent, const restir::Settings& settings) {
         images_ = std::make_unique<Images>(device_, *stage_.scene, extent);
         extent_ = extent;
     }
-    return changes;
+    return {.waited = grows || changes, .cleared = changes};
 }
 
 void Picture::moveScene(VkCommandBuffer cmd, const Shot& shot) {
     // A scene that stands still for a second frame is as the GPU has it.
     const bool rests = shot.frame.time == shot.frame.previousTime;
-    if (!rests || !resting_) stage_.scene->record(cmd, shot.frame.slot, shot.motion, shot.frame.time, shot.frame.previousTime);
+    if (!rests || !resting_)
+        stage_.scene->record(cmd, shot.frame.slot, shot.motion, shot.frame.time, shot.frame.previousTime);
     resting_ = rests;
     stage_.lighting->record(cmd, shot.frame.slot);
 }
@@ -87,13 +92,16 @@ restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
     input.output.radiance = images_->radiance.view();
     if (shot.settings.debugView != restir::DebugView::None) input.output.debug = images_->debug.view();
     const restir::Status status = session_->record(cmd, input, shot.settings);
-    if (status == restir::Status::Ok && images_->background) images_->background->record(cmd, frame.pose, frame.jitter);
+    if (status == restir::Status::Ok && images_->background)
+        images_->background->record(cmd, frame.pose, frame.jitter);
     if (shot.display.referenceFrames > 0) {
         samples::Frame paths = frame;
         paths.index = shot.display.referenceFrames;
         paths.seed = ~frame.seed;
         const bool indirect = shot.settings.gi.mode != restir::IndirectMode::Off;
-        images_->reference.record(cmd, extent_, paths, {.bounces = indirect ? shot.settings.gi.bounces : 1}, false);
+        const samples::ReferenceSettings settings{.bounces = indirect ? shot.settings.gi.bounces : 1,
+                                                  .direct = shot.settings.di.mode != restir::DirectMode::Off};
+        images_->reference.record(cmd, extent_, paths, settings, false);
     }
     samples::memoryBarrier(cmd, {out.stages, out.access},
                            {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});

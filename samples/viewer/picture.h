@@ -24,9 +24,12 @@ public:
     // Borrows both.
     Picture(samples::Device& device, Stage& stage);
 
-    // Makes what frames of that size with these settings need, where it has not got it; then it waits for the GPU. True: what
-    // was accumulated is gone.
-    bool fit(VkExtent2D extent, const restir::Settings& settings);
+    // Makes what frames of that size with these settings need, where it has not got it.
+    struct Fitted {
+        bool waited = false;    // for the GPU, to make something
+        bool cleared = false;   // what was accumulated is gone
+    };
+    Fitted fit(VkExtent2D extent, const restir::Settings& settings);
 
     // Refused: the SDK's message is Device::sdkError(), and the picture stays.
     restir::Status record(VkCommandBuffer cmd, const Shot& shot);
@@ -56,8 +59,9 @@ private:
     VkExtent2D extent_{};
     std::unique_ptr<Images> images_;
     restir::SessionDesc declared_;
-    std::optional<restir::Session> session_;   // outlives changes of size up to the declared one, and keeps its history
-    bool resting_ = true;                      // the last frame left the scene as the one before had
+    std::optional<restir::Session>
+        session_;           // outlives changes of size up to the declared one, and keeps its history
+    bool resting_ = true;   // the last frame left the scene as the one before had
 };
 
 }   // namespace viewer

@@ -30,7 +30,8 @@ samples::Buffer download(const samples::Device& device, const samples::GpuImage&
     samples::Buffer pixels = makeReadback(device, image.extent(), texelBytes);
     device.waitIdle();
     device.submitAndWait([&](VkCommandBuffer cmd) {
-        const samples::Access others{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, layout};
+        const samples::Access others{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
+                                     layout};
         samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, others, kCopyRead)}});
         copy(cmd, image.handle(), image.extent(), pixels);
         samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, kCopyRead, others)}});
@@ -41,7 +42,8 @@ samples::Buffer download(const samples::Device& device, const samples::GpuImage&
 // Bytes of four channels as floats of three.
 samples::FloatImage fromBytes(const std::byte* bytes, VkExtent2D extent, bool blueFirst) {
     samples::FloatImage image{extent.width, extent.height, {}};
-    const std::array<size_t, 3> order = blueFirst ? std::array<size_t, 3>{2, 1, 0} : std::array<size_t, 3>{0, 1, 2};
+    const std::array<size_t, 3> order =
+        blueFirst ? std::array<size_t, 3>{2, 1, 0} : std::array<size_t, 3>{0, 1, 2};
     for (size_t i = 0; i < size_t{extent.width} * extent.height; ++i)
         for (const size_t c : order) image.rgb.push_back(static_cast<float>(bytes[4 * i + c]) / 255);
     return image;
@@ -59,10 +61,12 @@ samples::FloatImage fromFloats(const std::byte* bytes, VkExtent2D extent) {
 
 void savePicture(const samples::Device& device, Picture& picture, const std::string& path) {
     if (path.ends_with(".exr")) {
-        const samples::Buffer pixels = download(device, picture.radiance(), VK_IMAGE_LAYOUT_GENERAL, 4 * sizeof(float));
+        const samples::Buffer pixels =
+            download(device, picture.radiance(), VK_IMAGE_LAYOUT_GENERAL, 4 * sizeof(float));
         samples::writeExr(path, fromFloats(pixels.mapped(), picture.extent()));
     } else if (path.ends_with(".png")) {
-        const samples::Buffer pixels = download(device, picture.display().image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, 4);
+        const samples::Buffer pixels =
+            download(device, picture.display().image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, 4);
         samples::writeColorsPng(path, fromBytes(pixels.mapped(), picture.extent(), false));
     } else {
         throw std::runtime_error(path + ": pictures are .png or .exr");
@@ -75,18 +79,21 @@ WindowShot::WindowShot(const samples::Device& device, const Swapchain& swapchain
       blueFirst_(swapchain.format() == VK_FORMAT_B8G8R8A8_UNORM),
       pixels_(makeReadback(device, extent_, 4)) {
     if (!path_.ends_with(".png")) throw std::runtime_error(path_ + ": pictures of the window are .png");
-    if (!swapchain.canBeRead()) throw std::runtime_error(path_ + ": this display's windows cannot be read back");
+    if (!swapchain.canBeRead())
+        throw std::runtime_error(path_ + ": this display's windows cannot be read back");
 }
 
 void WindowShot::record(VkCommandBuffer cmd, VkImage image) const {
-    const samples::Access drawn{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-                                VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+    const samples::Access drawn{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
     const samples::Access shown{VK_PIPELINE_STAGE_2_NONE, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
     samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, drawn, kCopyRead)}});
     copy(cmd, image, extent_, pixels_);
     samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, kCopyRead, shown)}});
 }
 
-void WindowShot::write() const { samples::writeColorsPng(path_, fromBytes(pixels_.mapped(), extent_, blueFirst_)); }
+void WindowShot::write() const {
+    samples::writeColorsPng(path_, fromBytes(pixels_.mapped(), extent_, blueFirst_));
+}
 
 }   // namespace viewer

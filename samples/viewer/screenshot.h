@@ -8,7 +8,8 @@
 
 namespace viewer {
 
-// What a picture shows, as .png, or its radiance, as .exr. Waits for the GPU. Throws std::runtime_error naming the file.
+// What a picture shows, as .png, or its radiance, as .exr. Waits for the GPU. Throws std::runtime_error
+// naming the file.
 void savePicture(const samples::Device& device, Picture& picture, const std::string& path);
 
 // The window with its panels: recorded into the frame that draws it, written when the GPU is done with that.

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "common/debug_views.h"
-#include "common/di_options.h"
+#include "common/setting_options.h"
 
 namespace viewer {
 namespace {
@@ -17,7 +17,8 @@ template <class T>
 T parseNumber(const std::string& text) {
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) throw std::runtime_error("'" + text + "' is no number");
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw std::runtime_error("'" + text + "' is no number");
     return value;
 }
 
@@ -27,10 +28,7 @@ bool parseSwitch(const std::string& text) {
 }
 
 restir::DebugView parseView(const std::string& text) {
-    if (text == "off") return restir::DebugView::None;
-    for (const samples::DebugViewName& known : samples::debugViews())
-        if (known.name == text) return known.view;
-    throw std::runtime_error("'" + text + "' is no debug view");
+    return text == "off" ? restir::DebugView::None : samples::findDebugView(text);
 }
 
 glm::vec3 parseVector(const std::string& text) {
@@ -47,9 +45,11 @@ glm::vec3 parseVector(const std::string& text) {
 void animate(const std::string& name, State& state, const Stage& stage) {
     state.playing = name != "off";
     if (!state.playing) return;
-    const auto found = std::find_if(stage.animations.begin(), stage.animations.end(),
-                                    [&](const samples::Animation& animation) { return animation.name == name; });
-    if (found == stage.animations.end()) throw std::runtime_error("the scene has no animation '" + name + "'");
+    const auto found =
+        std::find_if(stage.animations.begin(), stage.animations.end(),
+                     [&](const samples::Animation& animation) { return animation.name == name; });
+    if (found == stage.animations.end())
+        throw std::runtime_error("the scene has no animation '" + name + "'");
     state.animation = static_cast<size_t>(found - stage.animations.begin());
 }
 
@@ -68,7 +68,8 @@ using Action = std::function<void(const std::string&, State&, const Stage&)>;
 
 const std::map<std::string, Action>& actions() {
     static const std::map<std::string, Action> kActions = {
-        {"set", [](const auto& text, State& s, const Stage&) { s.settings.di = samples::parseDi(text, s.settings.di); }},
+        {"set", [](const auto& text, State& s,
+                   const Stage&) { s.settings = samples::parseSettings(text, s.settings); }},
         {"debug", [](const auto& text, State& s, const Stage&) { s.settings.debugView = parseView(text); }},
         {"split", [](const auto& text, State& s, const Stage&) { s.split = parseSwitch(text); }},
         {"measure", [](const auto& text, State& s, const Stage&) { s.measure = parseSwitch(text); }},
@@ -76,11 +77,13 @@ const std::map<std::string, Action>& actions() {
         {"line", [](const auto& text, State& s, const Stage&) { s.line = parseNumber<float>(text); }},
         {"exposure", [](const auto& text, State& s, const Stage&) { setExposure(text, s); }},
         {"scale", [](const auto& text, State& s, const Stage&) { s.scale = parseNumber<float>(text); }},
-        {"window", [](const auto& text, State& s, const Stage&) { s.windowSize = parseSize(text); }},
+        {"window", [](const auto& text, State& s, const Stage&) { s.windowSize = samples::parseSize(text); }},
         {"scene", [](const auto& text, State& s, const Stage&) { s.load = text; }},
         {"camera", lookThrough},
-        {"fly", [](const auto& text, State& s, const Stage&) { s.camera.fly({.move = parseVector(text)}, 0.1f); }},
-        {"orbit", [](const auto& text, State& s, const Stage&) { s.camera.orbit(glm::radians(parseNumber<float>(text))); }},
+        {"fly",
+         [](const auto& text, State& s, const Stage&) { s.camera.fly({.move = parseVector(text)}, 0.1f); }},
+        {"orbit", [](const auto& text, State& s,
+                     const Stage&) { s.camera.orbit(glm::radians(parseNumber<float>(text))); }},
         {"animate", animate},
         {"shot", [](const auto& text, State& s, const Stage&) { s.savePictures.push_back(text); }},
         {"panelshot", [](const auto& text, State& s, const Stage&) { s.saveWindow = text; }},
@@ -93,15 +96,6 @@ bool takesFrame(const std::string& name) { return name == "scene" || name == "sh
 
 }   // namespace
 
-VkExtent2D parseSize(const std::string& text) {
-    const size_t cross = text.find('x');
-    if (cross == std::string::npos) throw std::runtime_error("expected WxH, not '" + text + "'");
-    const VkExtent2D size{parseNumber<uint32_t>(text.substr(0, cross)), parseNumber<uint32_t>(text.substr(cross + 1))};
-    for (const uint32_t side : {size.width, size.height})
-        if (side < 16 || side > 16384) throw std::runtime_error("'" + text + "' has a side outside [16, 16384]");
-    return size;
-}
-
 Script::Script(const std::string& path) : path_(path) {
     std::ifstream file(path);
     if (!file) throw std::runtime_error(path + ": cannot be read");
@@ -113,7 +107,8 @@ Script::Script(const std::string& path) : path_(path) {
         const size_t space = std::min(text.find(' '), text.size());
         Command command{line, text.substr(0, space), space < text.size() ? text.substr(space + 1) : ""};
         if (command.name != "frames" && !actions().contains(command.name))
-            throw std::runtime_error(path + ":" + std::to_string(line) + ": '" + command.name + "' is no command");
+            throw std::runtime_error(path + ":" + std::to_string(line) + ": '" + command.name +
+                                     "' is no command");
         commands_.push_back(std::move(command));
     }
 }

@@ -18,9 +18,6 @@
 
 namespace viewer {
 
-// WxH, each side in [16, 16384]. Throws std::runtime_error.
-VkExtent2D parseSize(const std::string& text);
-
 class Script {
 public:
     // Throws std::runtime_error naming file and line.

@@ -12,7 +12,8 @@ void State::lookThrough(const samples::View& view) {
 void State::saveScreenshot() {
     const auto name = [](int number) { return "restir-" + std::to_string(number); };
     int number = 1;
-    while (std::filesystem::exists(name(number) + ".png") || std::filesystem::exists(name(number) + ".exr")) ++number;
+    while (std::filesystem::exists(name(number) + ".png") || std::filesystem::exists(name(number) + ".exr"))
+        ++number;
     savePictures = {name(number) + ".png", name(number) + ".exr"};
 }
 

@@ -41,7 +41,7 @@ struct State {
     float time = 0, pace = 1;   // frames of the animation, and for each of the viewer's
 
     // Wishes for the next frame.
-    std::string load;                      // a scene
+    std::string load;   // a scene
     std::optional<VkExtent2D> windowSize;
     std::vector<std::string> savePictures;   // files
     std::string saveWindow;                  // likewise

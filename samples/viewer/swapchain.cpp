@@ -29,13 +29,16 @@ Swapchain::~Swapchain() {
 // Eight bits that are shown as they are: the tone map encodes them.
 void Swapchain::chooseFormat() {
     uint32_t count = 0;
-    samples::check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), device_.surface(), &count, nullptr),
-                   "vkGetPhysicalDeviceSurfaceFormatsKHR");
+    samples::check(
+        vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), device_.surface(), &count, nullptr),
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
     std::vector<VkSurfaceFormatKHR> formats(count);
-    samples::check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), device_.surface(), &count, formats.data()),
-                   "vkGetPhysicalDeviceSurfaceFormatsKHR");
+    samples::check(
+        vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), device_.surface(), &count, formats.data()),
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
     for (const VkSurfaceFormatKHR& candidate : formats) {
-        if (candidate.format != VK_FORMAT_B8G8R8A8_UNORM && candidate.format != VK_FORMAT_R8G8B8A8_UNORM) continue;
+        if (candidate.format != VK_FORMAT_B8G8R8A8_UNORM && candidate.format != VK_FORMAT_R8G8B8A8_UNORM)
+            continue;
         format_ = candidate.format;
         colors_ = candidate.colorSpace;
         return;
@@ -82,16 +85,19 @@ void Swapchain::resize(VkExtent2D window) {
     samples::check(vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &handle_), "vkCreateSwapchainKHR");
     vkDestroySwapchainKHR(device_.handle(), old, nullptr);
     uint32_t count = 0;
-    samples::check(vkGetSwapchainImagesKHR(device_.handle(), handle_, &count, nullptr), "vkGetSwapchainImagesKHR");
+    samples::check(vkGetSwapchainImagesKHR(device_.handle(), handle_, &count, nullptr),
+                   "vkGetSwapchainImagesKHR");
     images_.resize(count);
-    samples::check(vkGetSwapchainImagesKHR(device_.handle(), handle_, &count, images_.data()), "vkGetSwapchainImagesKHR");
+    samples::check(vkGetSwapchainImagesKHR(device_.handle(), handle_, &count, images_.data()),
+                   "vkGetSwapchainImagesKHR");
     for (VkImage image : images_) {
         const VkImageViewCreateInfo viewInfo{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                              .image = image,
                                              .viewType = VK_IMAGE_VIEW_TYPE_2D,
                                              .format = format_,
                                              .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
-        samples::check(vkCreateImageView(device_.handle(), &viewInfo, nullptr, &views_.emplace_back()), "vkCreateImageView");
+        samples::check(vkCreateImageView(device_.handle(), &viewInfo, nullptr, &views_.emplace_back()),
+                       "vkCreateImageView");
         rendered_.push_back(makeSemaphore(device_.handle()));
     }
 }

@@ -10,7 +10,8 @@ namespace viewer {
 
 class Swapchain {
 public:
-    // Of a Device with a surface. Throws std::runtime_error where the surface cannot be written as the viewer does.
+    // Of a Device with a surface. Throws std::runtime_error where the surface cannot be written as the viewer
+    // does.
     explicit Swapchain(const samples::Device& device);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;

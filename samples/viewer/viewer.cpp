@@ -81,7 +81,8 @@ void Viewer::load(const std::string& name) {
     history_.forgetErrors();
     interrupted_ = true;
     window_.setTitle("restir-viewer: " + name);
-    for (const std::string& warning : stage_->warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const std::string& warning : stage_->warnings)
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
 }
 
 // True where a user is told so; a script comes to an end.
@@ -123,12 +124,15 @@ void Viewer::run() {
     device_.waitIdle();
     for (std::optional<WindowShot>& shot : windowShots_)
         if (shot) std::exchange(shot, {})->write();
-    for (const std::string& path : std::exchange(state_.savePictures, {})) savePicture(device_, *picture_, path);
+    for (const std::string& path : std::exchange(state_.savePictures, {}))
+        savePicture(device_, *picture_, path);
 }
 
 void Viewer::collect(uint32_t slot) {
     if (const std::optional<Findings> findings = picture_->display().collect(slot)) {
-        if (findings->error) history_.addError(*findings->error);
+        // Without direct light the reference has no lights in view, and the library does.
+        if (findings->error && state_.settings.di.mode != restir::DirectMode::Off)
+            history_.addError(*findings->error);
         if (state_.autoExposure) {
             const float wanted = samples::autoExposure(findings->thumbnail);
             state_.exposure = state_.cut ? wanted : wanted * std::pow(state_.exposure / wanted, kExposureLag);
@@ -142,10 +146,9 @@ void Viewer::collect(uint32_t slot) {
 void Viewer::drawFrame() {
     const uint32_t slot = frame_ % samples::FrameSlots::kCount;
     slots_.wait(slot);
-    restir::Settings settings = state_.settings;
-    const bool madeAnew = picture_->fit(scaled(swapchain_.extent(), state_.scale), settings);
-    if (madeAnew) referenceFrames_ = 0;
-    interrupted_ = interrupted_ || madeAnew;
+    const Picture::Fitted fitted = picture_->fit(scaled(swapchain_.extent(), state_.scale), state_.settings);
+    if (fitted.cleared) referenceFrames_ = 0;
+    interrupted_ = interrupted_ || fitted.waited;
     collect(slot);
 
     overlay_.begin();
@@ -229,8 +232,8 @@ void Viewer::enlarge(VkCommandBuffer cmd, VkImage target) const {
                              .srcOffsets = {{0, 0, 0}, corner(source.extent())},
                              .dstSubresource = layers,
                              .dstOffsets = {{0, 0, 0}, corner(swapchain_.extent())}};
-    vkCmdBlitImage(cmd, source.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target, blit.layout, 1, &region,
-                   state_.smooth ? VK_FILTER_LINEAR : VK_FILTER_NEAREST);
+    vkCmdBlitImage(cmd, source.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target, blit.layout, 1,
+                   &region, state_.smooth ? VK_FILTER_LINEAR : VK_FILTER_NEAREST);
 }
 
 }   // namespace viewer

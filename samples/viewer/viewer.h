@@ -20,8 +20,8 @@ public:
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
-    // Until the window is closed or the script has come to its end. Throws std::runtime_error for what a script wants and cannot
-    // be had; for a user that is State::message.
+    // Until the window is closed or the script has come to its end. Throws std::runtime_error for what a
+    // script wants and cannot be had; for a user that is State::message.
     void run();
 
     const History& history() const { return history_; }
@@ -54,7 +54,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 
     uint32_t frame_ = 0;
-    float recordedTime_ = 0;   // of the animation in the last frame
+    float recordedTime_ = 0;     // of the animation in the last frame
     samples::CameraPose pose_;   // of the last frame
     uint32_t referenceFrames_ = 0;
     restir::Counters counters_;

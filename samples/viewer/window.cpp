@@ -23,23 +23,27 @@ namespace {
 
 Window::Window(VkExtent2D size, const char* title) {
     if (!glfwInit())
-        fail("there is no display to open a window on; without a screen:\n"
-             "    xvfb-run -s '-screen 0 1600x900x24' restir-viewer SCENE\n"
-             "or render pictures with restir-render");
+        fail(
+            "there is no display to open a window on; without a screen:\n"
+            "    xvfb-run -s '-screen 0 1600x900x24' restir-viewer SCENE\n"
+            "or render pictures with restir-render");
     if (!glfwVulkanSupported()) {
         glfwTerminate();
-        throw std::runtime_error("GLFW finds no Vulkan that can draw to this display: no loader, no driver, or a driver without "
-                                 "VK_KHR_surface for it");
+        throw std::runtime_error(
+            "GLFW finds no Vulkan that can draw to this display: no loader, no driver, or a driver without "
+            "VK_KHR_surface for it");
     }
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    handle_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title, nullptr, nullptr);
+    handle_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title, nullptr,
+                               nullptr);
     if (!handle_) {
         glfwTerminate();
         fail("the window cannot be opened");
     }
     glfwSetWindowUserPointer(handle_, this);
     glfwSetKeyCallback(handle_, [](GLFWwindow* window, int key, int, int action, int) {
-        if (action == GLFW_PRESS) static_cast<Window*>(glfwGetWindowUserPointer(window))->pressed_.push_back(key);
+        if (action == GLFW_PRESS)
+            static_cast<Window*>(glfwGetWindowUserPointer(window))->pressed_.push_back(key);
     });
     glfwSetDropCallback(handle_, [](GLFWwindow* window, int count, const char** paths) {
         auto& dropped = static_cast<Window*>(glfwGetWindowUserPointer(window))->dropped_;

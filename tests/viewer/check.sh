@@ -1,0 +1,31 @@
+#!/bin/sh
+# check.sh SCRIPT OUT [VIEWER]: the viewer goes through a script without a word of validation, and says what it lacks.
+set -eu
+script=$1 out=$2 viewer=${3:-}
+if [ -z "$viewer" ]; then
+    echo 'skipped: there is no restir-viewer, or no xvfb-run to show it under'
+    exit 77
+fi
+mkdir -p "$out"
+cd "$out"
+rm -f ./*.png ./*.exr
+
+fail() { printf 'FAILED: %s\n' "$*"; cat said; exit 1; }
+
+under_xvfb() { xvfb-run -a -s '-screen 0 800x600x24' "$viewer" "$@" > said 2>&1; }
+
+{ cat "$script"; printf 'shot end.png\nshot end.exr\npanelshot window.png\n'; } > all.script
+under_xvfb builtin:cornell --size 320x180 --validate --script all.script || fail 'the session'
+cat said
+grep -q '^validation messages: 0$' said || fail 'no count of validation messages'
+for file in end.png end.exr window.png; do
+    [ -s "$file" ] || fail "$file was not written"
+done
+
+echo 'set radius=far' > bad.script
+! under_xvfb builtin:cornell --script bad.script || fail 'a bad script was accepted'
+grep -q "bad.script:1: radius: 'far'" said || fail 'the bad line of a script was not named'
+! under_xvfb nowhere.gltf || fail 'a scene that does not exist was shown'
+grep -q 'nowhere.gltf' said || fail 'the missing scene was not named'
+! env -u DISPLAY -u WAYLAND_DISPLAY "$viewer" builtin:cornell > said 2>&1 || fail 'a window without a display'
+grep -q 'no display' said || fail 'the missing display was not named'

@@ -1,5 +1,6 @@
 #include "viewer/input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -11,6 +12,7 @@ namespace viewer {
 namespace {
 
 constexpr float kTurnPerPixel = 0.004f;   // radians
+constexpr float kLongestStep = 0.25f;     // seconds: slow frames are no leaps
 constexpr float kLineGrip = 6;            // pixels to each side of the split
 
 void flyAbout(State& state, const Window& window) {
@@ -29,7 +31,7 @@ void flyAbout(State& state, const Window& window) {
             flight.turn = kTurnPerPixel * glm::vec2(io.MouseDelta.x, -io.MouseDelta.y);
         if (io.MouseWheel != 0) state.camera.speed *= io.MouseWheel > 0 ? 1.25f : 0.8f;
     }
-    state.camera.fly(flight, io.DeltaTime);
+    state.camera.fly(flight, std::min(io.DeltaTime, kLongestStep));
 }
 
 // The split's line follows the left button.

@@ -12,14 +12,24 @@ namespace {
 
 constexpr float kGraphHeight = 120;
 
-ImU32 colorOf(size_t pass) {   // neighbours in the stack far apart in hue
-    return ImColor::HSV(static_cast<float>(pass) * 0.618034f, 0.6f, 0.85f);
+bool isHosts(const std::string& pass) { return pass.starts_with("host."); }
+
+// Of the library's passes hues, neighbours in the stack far apart; of the host's greys.
+ImU32 colorOf(const History& history, size_t pass) {
+    const float turn = static_cast<float>(pass) * 0.618034f;
+    if (isHosts(history.passes()[pass])) return ImColor::HSV(0, 0, 0.3f + 0.4f * (turn - std::floor(turn)));
+    return ImColor::HSV(turn - std::floor(turn), 0.6f, 0.85f);
 }
 
-double sumOf(const FrameRecord& record) {
-    double sum = 0;
-    for (const double milliseconds : record.passes) sum += milliseconds;
-    return sum;
+struct Sums {
+    double library = 0, host = 0;   // ms
+};
+
+Sums sumsOf(const History& history, const FrameRecord& record) {
+    Sums sums;
+    for (size_t i = 0; i < record.passes.size(); ++i)
+        (isHosts(history.passes()[i]) ? sums.host : sums.library) += record.passes[i];
+    return sums;
 }
 
 // A column for each frame, its passes one above the other.
@@ -27,7 +37,10 @@ void drawGraph(const History& history) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kGraphHeight};
     double top = 1e-3;
-    for (const FrameRecord& record : history.records()) top = std::max(top, sumOf(record));
+    for (const FrameRecord& record : history.records()) {
+        const Sums sums = sumsOf(history, record);
+        top = std::max(top, sums.library + sums.host);
+    }
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, IM_COL32(20, 20, 24, 255));
     const float width = size.x / static_cast<float>(History::kShown);
@@ -36,7 +49,7 @@ void drawGraph(const History& history) {
         float y = corner.y + size.y;
         for (size_t i = 0; i < record.passes.size(); ++i) {
             const float height = size.y * static_cast<float>(record.passes[i] / top);
-            list->AddRectFilled({x, y - height}, {x + width, y}, colorOf(i));
+            list->AddRectFilled({x, y - height}, {x + width, y}, colorOf(history, i));
             y -= height;
         }
         x += width;
@@ -67,8 +80,8 @@ void drawPasses(const History& history) {
         const double milliseconds = recent(history, i);
         if (milliseconds == 0) continue;
         ImGui::TableNextColumn();
-        ImGui::ColorButton(history.passes()[i].c_str(), ImColor(colorOf(i)), ImGuiColorEditFlags_NoTooltip,
-                           {12, 12});
+        ImGui::ColorButton(history.passes()[i].c_str(), ImColor(colorOf(history, i)),
+                           ImGuiColorEditFlags_NoTooltip, {12, 12});
         ImGui::SameLine();
         ImGui::Text("%8.3f ms  %s", milliseconds, history.passes()[i].c_str());
     }
@@ -111,7 +124,9 @@ void drawMeasures(const Facts& facts) {
     if (!facts.device.hasTimestamps())
         ImGui::TextDisabled("this queue has no timestamps: no times of passes");
     if (!records.empty()) {
-        ImGui::Text("the library's passes: %.3f ms on the GPU", sumOf(records.back()));
+        const Sums sums = sumsOf(facts.history, records.back());
+        ImGui::Text("on the GPU: %.3f ms of the library's passes, %.3f ms of the host's", sums.library,
+                    sums.host);
         drawGraph(facts.history);
         drawPasses(facts.history);
     }

@@ -14,17 +14,20 @@ void place(ImVec2 corner, ImVec2 pivot, ImVec2 size) {
     ImGui::SetNextWindowSize(size, ImGuiCond_Always);
 }
 
+void complain(const std::string& text) {
+    ImGui::PushTextWrapPos();
+    ImGui::TextColored({1.0f, 0.45f, 0.35f, 1.0f}, "%s", text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 void drawControls(State& state, const Facts& facts) {
     const float height = ImGui::GetIO().DisplaySize.y - 2 * kMargin;
     const bool roomy = height > 900;
     place({kMargin, kMargin}, {0, 0}, {kControlsWidth, height});
     if (ImGui::Begin("restir", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
         ImGui::PushItemWidth(-150);
-        if (!state.message.empty()) {
-            ImGui::PushTextWrapPos();
-            ImGui::TextColored({1.0f, 0.45f, 0.35f, 1.0f}, "%s", state.message.c_str());
-            ImGui::PopTextWrapPos();
-        }
+        for (const std::string* text : {&state.refusal, &state.message})
+            if (!text->empty()) complain(*text);
         if (ImGui::CollapsingHeader("Estimator", ImGuiTreeNodeFlags_DefaultOpen)) drawSettings(state);
         if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) drawPicture(state, facts);
         if (ImGui::CollapsingHeader("Scene", roomy ? ImGuiTreeNodeFlags_DefaultOpen : 0))

@@ -45,7 +45,7 @@ Picture::Images::Images(const samples::Device& device, const samples::GpuScene& 
     });
 }
 
-Picture::Picture(samples::Device& device, Stage& stage) : device_(device), stage_(stage) {}
+Picture::Picture(samples::Device& device, Stage& stage) : device_(device), stage_(stage), clock_(device) {}
 
 Picture::Fitted Picture::fit(VkExtent2D extent, const restir::Settings& settings) {
     restir::SessionDesc needed = declared_;
@@ -83,8 +83,11 @@ void Picture::moveScene(VkCommandBuffer cmd, const Shot& shot) {
 restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
     const samples::Frame& frame = shot.frame;
     const restir::Scope in = restir::Session::inputScope(), out = restir::Session::outputScope();
+    clock_.begin(cmd, frame.slot);
     moveScene(cmd, shot);
+    clock_.mark(cmd, "host.scene");
     images_->gbuffer.record(cmd, frame.pose, frame.previous, frame.jitter, in);
+    clock_.mark(cmd, "host.gbuffer");
     // Last frame's readers of the outputs are done.
     samples::memoryBarrier(cmd, {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT, 0},
                            {out.stages, out.access});
@@ -92,8 +95,11 @@ restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
     input.output.radiance = images_->radiance.view();
     if (shot.settings.debugView != restir::DebugView::None) input.output.debug = images_->debug.view();
     const restir::Status status = session_->record(cmd, input, shot.settings);
-    if (status == restir::Status::Ok && images_->background)
+    clock_.mark(cmd, nullptr);
+    if (status == restir::Status::Ok && images_->background) {
         images_->background->record(cmd, frame.pose, frame.jitter);
+        clock_.mark(cmd, "host.sky");
+    }
     if (shot.display.referenceFrames > 0) {
         samples::Frame paths = frame;
         paths.index = shot.display.referenceFrames;
@@ -102,11 +108,20 @@ restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
         const samples::ReferenceSettings settings{.bounces = indirect ? shot.settings.gi.bounces : 1,
                                                   .direct = shot.settings.di.mode != restir::DirectMode::Off};
         images_->reference.record(cmd, extent_, paths, settings, false);
+        clock_.mark(cmd, "host.reference");
     }
     samples::memoryBarrier(cmd, {out.stages, out.access},
                            {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
     images_->display->record(cmd, frame.slot, shot.display);
+    clock_.mark(cmd, "host.display");
     return status;
+}
+
+std::vector<restir::PassTiming> Picture::timings(uint32_t slot) {
+    const auto library = session_->timings(slot);
+    std::vector<restir::PassTiming> result(library.begin(), library.end());
+    for (const restir::PassTiming& own : clock_.timings(slot)) result.push_back(own);
+    return result;
 }
 
 std::vector<restir::BufferInfo> Picture::memory() const {

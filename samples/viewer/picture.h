@@ -7,6 +7,7 @@
 #include "common/background.h"
 #include "common/reference.h"
 #include "viewer/display.h"
+#include "viewer/pass_clock.h"
 #include "viewer/stage.h"
 
 namespace viewer {
@@ -35,7 +36,10 @@ public:
     restir::Status record(VkCommandBuffer cmd, const Shot& shot);
 
     VkExtent2D extent() const { return extent_; }
-    restir::Session& session() { return *session_; }
+    // Of the slot's last frame, which the GPU is done with: of the library's passes and of the host's,
+    // "host.NAME".
+    std::vector<restir::PassTiming> timings(uint32_t slot);
+    restir::Counters counters(uint32_t slot) const { return session_->counters(slot); }
     Display& display() { return *images_->display; }
     const samples::GpuImage& radiance() const { return images_->radiance; }   // in VK_IMAGE_LAYOUT_GENERAL
     std::vector<restir::BufferInfo> memory() const;                           // the SDK's
@@ -58,6 +62,7 @@ private:
     Stage& stage_;
     VkExtent2D extent_{};
     std::unique_ptr<Images> images_;
+    PassClock clock_;
     restir::SessionDesc declared_;
     std::optional<restir::Session>
         session_;           // outlives changes of size up to the declared one, and keeps its history

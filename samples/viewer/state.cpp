@@ -7,6 +7,7 @@ namespace viewer {
 void State::lookThrough(const samples::View& view) {
     camera.place(view);
     cut = true;
+    adapted = false;
 }
 
 void State::saveScreenshot() {

@@ -29,9 +29,10 @@ struct State {
     float scale = 1;      // pixels rendered for one of the window's, a side
     bool smooth = true;   // where that is not 1
     bool autoExposure = true;
-    float exposure = 1;   // of the last frame where it is automatic
-    bool split = false;   // the reference to the right of the line
-    float line = 0.5f;    // of the width
+    float exposure = 1;     // where that is automatic, of the last frame
+    bool adapted = false;   // to what is in view; else automatic exposure jumps there
+    bool split = false;     // the reference to the right of the line
+    float line = 0.5f;      // of the width
     bool draggingLine = false;
     bool measure = false;   // trace the reference to measure the error, whether it is seen or not
     bool panels = true;
@@ -47,7 +48,8 @@ struct State {
     std::string saveWindow;                  // likewise
     bool quit = false;
 
-    std::string message;   // the last thing that could not be done; empty: all is well
+    std::string message;   // the last wish that could not be met
+    std::string refusal;   // what the library has against the settings; empty: nothing
 
     bool tracesReference() const { return split || measure; }
     void lookThrough(const samples::View& view);

@@ -85,11 +85,10 @@ void Viewer::load(const std::string& name) {
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
 }
 
-// True where a user is told so; a script comes to an end.
-bool Viewer::refuse(const std::string& what) {
+// A user is told so; a script comes to an end.
+void Viewer::refuse(const std::string& what) {
     if (script_) throw std::runtime_error(what);
     state_.message = what;
-    return true;
 }
 
 void Viewer::prepare() {
@@ -135,10 +134,12 @@ void Viewer::collect(uint32_t slot) {
             history_.addError(*findings->error);
         if (state_.autoExposure) {
             const float wanted = samples::autoExposure(findings->thumbnail);
-            state_.exposure = state_.cut ? wanted : wanted * std::pow(state_.exposure / wanted, kExposureLag);
+            state_.exposure =
+                state_.adapted ? wanted * std::pow(state_.exposure / wanted, kExposureLag) : wanted;
+            state_.adapted = true;
         }
-        history_.addTimings(picture_->session().timings(slot));
-        counters_ = picture_->session().counters(slot);
+        history_.addTimings(picture_->timings(slot));
+        counters_ = picture_->counters(slot);
     }
     if (windowShots_[slot]) std::exchange(windowShots_[slot], {})->write();
 }
@@ -205,7 +206,8 @@ Shot Viewer::describe(uint32_t slot) {
 
 void Viewer::record(VkCommandBuffer cmd, uint32_t slot, uint32_t image) {
     const restir::Status status = picture_->record(cmd, describe(slot));
-    if (status != restir::Status::Ok) refuse(device_.sdkError());
+    state_.refusal = status == restir::Status::Ok ? "" : device_.sdkError();
+    if (script_ && !state_.refusal.empty()) throw std::runtime_error(state_.refusal);
     enlarge(cmd, swapchain_.image(image));
     overlay_.record(cmd, image);
     const std::string path = std::exchange(state_.saveWindow, {});

@@ -36,7 +36,7 @@ private:
     void enlarge(VkCommandBuffer cmd, VkImage target) const;
     void collect(uint32_t slot);
     Shot describe(uint32_t slot);
-    bool refuse(const std::string& what);
+    void refuse(const std::string& what);
     bool finished();
 
     Options options_;

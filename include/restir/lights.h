@@ -5,7 +5,7 @@
 
 #include <restir/context.h>
 #include <restir/frame.h>
-#include <restir/shared/scene.h>
+#include <restir/scene.h>
 
 namespace restir {
 
@@ -62,7 +62,7 @@ struct Light {
 
     // Triangle, rectangle: radiance, W / (sr m^2), times the texture. Sphere, capsule, disk: radiance. Point, spot:
     // radiant intensity, W / sr. Directional: irradiance on a plane facing it, W / m^2. Environment: factor on the map, whose
-    // texels are radiance. Linear RGB, finite, >= 0.
+    // texels are radiance. Linear RGB, [0, 1e30].
     float emission[3] = {1, 1, 1};
 
     // Index into SceneDesc::textures. Triangle, rectangle: or none; uv are the coordinates of position, vertex1 and vertex2, and
@@ -74,15 +74,26 @@ struct Light {
     float meanLuminance = -1;
 };
 
+// Triangle lights that LightTable makes on the device of what the scene's buffers hold: corners and texture coordinates
+// of the geometry, placed by its transform, emitting as its material does. What is said of triangle lights above holds of
+// them. Black triangles, those without area and those that are not finite are no lights.
+struct LightMesh {
+    uint32_t record = 0;       // in SceneDesc::instances
+    uint32_t firstLight = 0;   // the record's RsInstance::firstLight: the id of primitive 0
+    uint32_t triangles = 0;    // primitives of the geometry, > 0
+};
+
 // What the texture of the environment light shows, for the table that it is drawn from: the texture itself, or it reduced by
 // averaging. Where it is black the texture, filtered linearly, must be. It is not kept.
 struct EnvironmentMap {
     uint32_t width = 0, height = 0;   // texels, at most 32768 each, and LightTableDesc::maxEnvironmentTexels in all
-    std::span<const float> rgb;       // 3 floats a texel, linear, finite, >= 0; rows from the top
+    std::span<const float> rgb;       // 3 floats a texel, linear, [0, 1e30]; rows from the top
 };
 
 struct LightTableDesc {
     uint32_t maxLights = 0;              // one more than the largest id, at most 2^20; 0 is allowed
+    uint32_t meshLights = 0;             // ids below are of LightMeshes, all others of Lights; at most maxLights
+    uint32_t maxMeshes = 0;              // LightMeshes at a time
     uint32_t maxEnvironmentTexels = 0;   // of an EnvironmentMap, 24 bytes each, half on the device; 0: no environment light
 };
 
@@ -101,15 +112,23 @@ public:
     // the slot's staging memory, in one pass; record() must follow. On an error the message sink names the light and the
     // field, and the previous lights stay.
     [[nodiscard]] Status upload(uint32_t frameSlot, std::span<const Light> lights) noexcept;
+    // All meshes of this and the following frames; those not named are gone. As upload(), which it does not replace: a table
+    // may have lights from both. Needed again only when this list changes, or what a texture shows of a mesh (its texels,
+    // coordinates or its index in the material): the mean of the texture over each triangle, by which it is chosen, is
+    // taken once.
+    [[nodiscard]] Status uploadMeshes(uint32_t frameSlot, std::span<const LightMesh> meshes) noexcept;
     // The environment light's map, before the first upload that has such a light, and again when the map changes (then before an
     // upload, so that its power counts). Rotation and factor may change without. The GPU is done with the last upload of a map.
     // Builds an alias table over its texels; while it differs from the last frame's, what the last frame's light would have been
     // is read from the new texture. A map of zeros is a dark sky.
     [[nodiscard]] Status uploadEnvironment(const EnvironmentMap& map) noexcept;
-    // Records the copy of the last upload, of lights or map, and the passes that build the table to draw lights from, by their
-    // power; call after every upload and before Session::record, outside any render pass. Without a new upload it records
-    // nothing. Leaves the compute bind point with the SDK's pipeline and set.
-    [[nodiscard]] Status record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept;
+    // Records the copy of the last upload, of lights, meshes or map, and the passes that build the table to draw lights from,
+    // by their power; call after every upload and before Session::record, outside any render pass. Without a new upload it
+    // records nothing, unless there are meshes: those it reads again, each time, from `scene` or `bridgeSet`, as in
+    // FrameInput, all of it available to Session::inputScope(). Leaves the compute bind point with the SDK's pipeline and
+    // sets.
+    [[nodiscard]] Status record(VkCommandBuffer cmd, uint32_t frameSlot, const Scene* scene = nullptr,
+                                VkDescriptorSet bridgeSet = VK_NULL_HANDLE) noexcept;
 
     // As Session::timings(), of the last build recorded in `frameSlot`.
     std::span<const PassTiming> timings(uint32_t frameSlot) noexcept;

@@ -154,7 +154,7 @@ Status checkObjects(const Session::Impl& s, const FrameInput& frame) noexcept {
     const MessageSink& sink = s.device().sink();
     const LightTable::Impl& lights = Internals::of(*frame.lights);
     if (lights.context != s.context) return refuse(sink, "restir: FrameInput::lights is of another Context");
-    if (lights.pending)
+    if (lights.pending())
         return refuse(sink,
                       "restir: FrameInput::lights has an upload that LightTable::record has not recorded");
     if (!s.context->ownsSceneLayout)

@@ -25,7 +25,7 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 26> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 28> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatiotemporal"},
@@ -43,6 +43,8 @@ struct Context::Impl {
                                        {"gi.temporal"},
                                        {"gi.spatial"},
                                        {"gi.shade"},
+                                       {"lights.means"},
+                                       {"lights.meshes"},
                                        {"lights.extent"},
                                        {"lights.power"},
                                        {"lights.sum"},

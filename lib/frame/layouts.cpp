@@ -76,7 +76,8 @@ VkResult makePipelineLayout(const Context::Impl& c, std::span<const VkDescriptor
 VkResult makePipelineLayouts(Context::Impl& c) noexcept {
     const VkDescriptorSetLayout frame[] = {c.frameLayout, c.sceneLayout};
     if (VkResult vk = makePipelineLayout(c, frame, sizeof(gpu::RsPass), c.pipelineLayout); vk != VK_SUCCESS) return vk;
-    return makePipelineLayout(c, {&c.tableLayout, 1}, sizeof(gpu::RsTablePass), c.tablePipelineLayout);
+    const VkDescriptorSetLayout table[] = {c.tableLayout, c.sceneLayout};
+    return makePipelineLayout(c, table, sizeof(gpu::RsTablePass), c.tablePipelineLayout);
 }
 
 }   // namespace

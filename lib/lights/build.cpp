@@ -32,6 +32,8 @@ void writeSet(const LightTable::Impl& t, VkDescriptorSet set, TableBuffer lights
     buffers[RS_TABLE_BIND_EXCESS].buffer = t.buffer(Excess);
     buffers[RS_TABLE_BIND_DEFICIT].buffer = t.buffer(Deficit);
     buffers[RS_TABLE_BIND_BLOCKS].buffer = t.buffer(Blocks);
+    buffers[RS_TABLE_BIND_MESHES].buffer = t.buffer(Meshes);
+    buffers[RS_TABLE_BIND_MEANS].buffer = t.buffer(Means);
     VkWriteDescriptorSet writes[RS_TABLE_BIND_COUNT];
     for (uint32_t i = 0; i < RS_TABLE_BIND_COUNT; ++i) {
         buffers[i].offset = 0;
@@ -70,23 +72,33 @@ VkResult makeBuildSets(LightTable::Impl& t) noexcept {
     return VK_SUCCESS;
 }
 
-void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot) noexcept {
+void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, const BuildInput& input) noexcept {
     const Functions& f = t.device->functions;
     const VkPipelineLayout layout = t.context->tablePipelineLayout;
     const Label label(f, cmd, "restir lights");
     const auto blocks = uint32_t(aliasBlocks(t.recorded.count));
-    const gpu::RsTablePass constants{.lights = t.recorded.count, .columns = uint32_t(aliasColumns(t.recorded.count)), .blocks = blocks};
+    const uint32_t meshLights = std::min(t.meshLights, t.recorded.count);
+    const gpu::RsTablePass constants{.lights = t.recorded.count,
+                                     .columns = uint32_t(aliasColumns(t.recorded.count)),
+                                     .blocks = blocks,
+                                     .meshLights = meshLights,
+                                     .meshes = t.meshes.count};
     f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &t.sets[t.generation % 2], 0, nullptr);
     f.vkCmdPushConstants(cmd, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
     // Each reads what the one before it wrote.
-    const auto pass = [&](const char* name, uint32_t groups) {
+    const auto pass = [&](const char* name, uint32_t groups, uint32_t rows = 1) {
         const Label passLabel(f, cmd, name);
         t.stopwatch.start(cmd, slot, name);
         f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelineOf(name));
-        f.vkCmdDispatch(cmd, groups, 1, 1);
+        f.vkCmdDispatch(cmd, groups, rows, 1);
         t.stopwatch.stop(cmd, slot);
         memoryBarrier(f, cmd, {kCompute, kWrite}, {kCompute, kRead | kWrite});
     };
+    if (input.scene) {
+        f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, RS_SET_SCENE, 1, &input.scene, 0, nullptr);
+        if (input.newMeshes) pass("lights.means", RS_TABLE_ROW, (meshLights + RS_TABLE_ROW - 1) / RS_TABLE_ROW);
+        pass("lights.meshes", uint32_t(aliasBlocks(meshLights)));
+    }
     if (t.recorded.infinite) pass("lights.extent", blocks);
     pass("lights.power", blocks);
     pass("lights.sum", blocks);

@@ -12,8 +12,14 @@ VkDeviceSize aliasBlocks(uint32_t lights) noexcept;
 // A set for each generation of lights.
 VkResult makeBuildSets(LightTable::Impl& table) noexcept;
 
-// The lights are there and the state is cleared, both visible to shaders. The table is readable in compute shaders
-// afterwards.
-void recordBuild(LightTable::Impl& table, VkCommandBuffer cmd, uint32_t slot) noexcept;
+// What a build finds new.
+struct BuildInput {
+    VkDescriptorSet scene = VK_NULL_HANDLE;   // where meshes are; null: there are none
+    bool newMeshes = false;
+};
+
+// The uploaded lights are there and the state is cleared, both visible to shaders. The table is readable in compute
+// shaders afterwards.
+void recordBuild(LightTable::Impl& table, VkCommandBuffer cmd, uint32_t slot, const BuildInput& input) noexcept;
 
 }   // namespace restir

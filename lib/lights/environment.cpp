@@ -63,8 +63,8 @@ Status check(const MessageSink& sink, const EnvironmentMap& map, uint32_t maxTex
         return refuse(sink, "restir: EnvironmentMap::rgb has %zu floats, not 3 x %u x %u", map.rgb.size(),
                       map.width, map.height);
     for (size_t i = 0; i < map.rgb.size(); ++i)
-        if (!std::isfinite(map.rgb[i]) || map.rgb[i] < 0)
-            return refuse(sink, "restir: EnvironmentMap::rgb is %g at texel (%zu, %zu)", double(map.rgb[i]),
+        if (!(map.rgb[i] >= 0 && map.rgb[i] <= float(RS_LIGHT_LARGEST)))
+            return refuse(sink, "restir: EnvironmentMap::rgb is %g at texel (%zu, %zu), must be in [0, 1e30]", double(map.rgb[i]),
                           i / 3 % map.width, i / 3 / map.width);
     return Status::Ok;
 }

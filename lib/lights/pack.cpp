@@ -21,7 +21,8 @@ float luminance(const float (&c)[3]) { return 0.2126f * c[0] + 0.7152f * c[1] + 
 bool isFinite(const float (&v)[3]) { return 0 * v[0] + 0 * v[1] + 0 * v[2] == 0; }
 
 // The longest edge whose squares and products stay finite in the shaders.
-constexpr float kLongestEdge = 1e9f;
+constexpr auto kLongestEdge = float(RS_LIGHT_LONGEST);
+constexpr auto kLargest = float(RS_LIGHT_LARGEST);
 
 bool edgeFits(const float (&a)[3], const float (&b)[3]) {
     const float x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
@@ -44,7 +45,7 @@ bool usesTexture(const Light& light) {
 const char* badPlanarField(const Light& light, const LightLimits& limits) {
     if (!edgeFits(light.position, light.vertex1)) return "vertex1 (not finite, or too far from position)";
     if (!edgeFits(light.position, light.vertex2)) return "vertex2 (not finite, or too far from position)";
-    if (!std::isfinite(light.meanLuminance)) return "meanLuminance";
+    if (!(std::abs(light.meanLuminance) <= kLargest)) return "meanLuminance (not finite, or above 1e30)";
     if (light.texture == RS_NO_TEXTURE && light.meanLuminance == 0 && luminance(light.emission) > 0)
         return "meanLuminance (0, but it emits)";
     if (light.texture != RS_NO_TEXTURE && light.texture >= limits.textures)
@@ -73,9 +74,11 @@ const char* badEnvironmentField(const Light& light, const LightLimits& limits) {
 // Null if the light is good, else the field that is not.
 const char* badField(const Light& light, const LightLimits& limits) {
     if (light.id >= limits.lights) return "id (at least LightTableDesc::maxLights)";
+    if (light.id < limits.first) return "id (below LightTableDesc::meshLights)";
     if (light.kind > LightKind::Environment) return "kind";
     const auto& emission = light.emission;
     if (!isFinite(emission) || std::min({emission[0], emission[1], emission[2]}) < 0) return "emission";
+    if (std::max({emission[0], emission[1], emission[2]}) > kLargest) return "emission (above 1e30)";
     if (!isInfinite(light.kind) && !isFinite(light.position)) return "position";
     if (isPlanar(light.kind)) return badPlanarField(light, limits);
     if (isRound(light.kind)) return badRoundField(light);
@@ -93,7 +96,7 @@ const char* badField(const Light& light, const LightLimits& limits) {
 // By which the light is chosen, times a factor of its kind and shape: restir/lights/power.glsl.
 float meanLuminance(const Light& light, const LightLimits& limits) {
     if (isPlanar(light.kind) && light.meanLuminance >= 0) return light.meanLuminance;
-    if (light.kind == LightKind::Environment) return float(luminance(light.emission) * limits.environment);
+    if (light.kind == LightKind::Environment) return float(std::min(double(luminance(light.emission)) * limits.environment, 3e38));
     return luminance(light.emission);
 }
 
@@ -166,14 +169,14 @@ bool isBehindMisses(const Light& light) {
     return light.kind == LightKind::Environment || (light.kind == LightKind::Directional && light.angularRadius > 0);
 }
 
-// Bits that are not set below `end`.
+// Bits that are not set from `begin` on and below `end`.
 template <class Visit>
-void forEachGap(std::span<const uint64_t> bits, uint32_t end, const Visit& visit) {
-    for (uint32_t word = 0; word * 64 < end; ++word)
+void forEachGap(std::span<const uint64_t> bits, uint32_t begin, uint32_t end, const Visit& visit) {
+    for (uint32_t word = begin / 64; word * 64 < end; ++word)
         for (uint64_t gaps = ~bits[word]; gaps != 0; gaps &= gaps - 1) {
             const uint32_t i = word * 64 + uint32_t(std::countr_zero(gaps));
             if (i >= end) return;
-            visit(i);
+            if (i >= begin) visit(i);
         }
 }
 
@@ -201,9 +204,10 @@ Status LightPacker::pack(const MessageSink& sink, std::span<const Light> lights,
                               RS_INFINITE_LIGHTS);
             found.found[behindMisses++] = light.id;
         }
-        if (out) out[light.id] = packLight(light, limits_);
+        if (out) out[light.id - limits_.first] = packLight(light, limits_);
     }
-    if (out && found.count != lights.size()) forEachGap(seen_, found.count, [&](uint32_t id) { out[id] = {}; });
+    if (out && found.count != lights.size())
+        forEachGap(seen_, limits_.first, found.count, [&](uint32_t id) { out[id - limits_.first] = {}; });
     packed = found;
     return Status::Ok;
 }

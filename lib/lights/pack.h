@@ -12,7 +12,8 @@
 namespace restir {
 
 struct LightLimits {
-    uint32_t lights = 0;     // ids are below
+    uint32_t first = 0;      // ids are from here on
+    uint32_t lights = 0;     // and below
     uint32_t textures = 0;   // so are texture indices
     double environment = -1; // luminance of the map, integrated over the sphere; negative: there is none
 };
@@ -28,7 +29,7 @@ class LightPacker {
 public:
     explicit LightPacker(const LightLimits& limits) : limits_(limits), seen_((size_t{limits.lights} + 63) / 64) {}
 
-    // Writes the lights to `out` by id, RS_LIGHT_NONE into the gaps, and what is said of them to `packed`.
+    // Writes the lights to `out` by id, the first there being LightLimits::first, RS_LIGHT_NONE into the gaps, and what is said of them to `packed`.
     // RsPackedLight::selection holds what restir/lights/power.glsl takes for the mean luminance of the emission. Names the
     // light and the field if one is bad; `packed` is then as before, `out` is not. Only checks if `out` is null.
     Status pack(const MessageSink& sink, std::span<const Light> lights, gpu::RsPackedLight* out, PackedLights& packed);

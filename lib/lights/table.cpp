@@ -1,25 +1,35 @@
 #include <lights/table_impl.h>
 
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
 #include <device/barrier.h>
 #include <device/internals.h>
 #include <lights/build.h>
 #include <restir/shared/light_table.h>
+#include <scene/scene_impl.h>
 
 namespace restir {
 namespace {
 
 constexpr uint32_t kMaxLights = 1u << 20;
-constexpr uint32_t kMaxTimedPasses = 8;
+constexpr uint32_t kMaxTimedPasses = 10;
 constexpr VkDeviceSize kLightBytes = sizeof(gpu::RsPackedLight);
 
+// Of the staging buffers: room for uploaded lights, behind which meshes are.
+VkDeviceSize lightStaging(const LightTableDesc& desc) { return (desc.maxLights - desc.meshLights) * kLightBytes; }
+
 // In the order of TableBuffer.
-std::vector<BufferRequest> requestsOf(uint32_t framesInFlight, uint32_t maxLights) {
-    const VkDeviceSize lights = std::max<VkDeviceSize>(maxLights, 1) * kLightBytes;
-    const VkDeviceSize columns = aliasColumns(maxLights), blocks = aliasBlocks(maxLights);
+std::vector<BufferRequest> requestsOf(uint32_t framesInFlight, const LightTableDesc& desc) {
+    const VkDeviceSize lights = std::max(desc.maxLights, 1u) * kLightBytes;
+    const VkDeviceSize meshes = std::max(desc.maxMeshes, 1u) * sizeof(gpu::RsLightMesh);
+    const VkDeviceSize means = std::max(desc.meshLights, 1u) * sizeof(gpu::vec3);
+    const VkDeviceSize kept = desc.meshLights > 0 ? lightStaging(desc) : 0;
+    const VkDeviceSize columns = aliasColumns(desc.maxLights), blocks = aliasBlocks(desc.maxLights);
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     const VkBufferUsageFlags filled = storage | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    const VkBufferUsageFlags copied = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     const MemoryUse device = MemoryUse::DeviceOnly;
     std::vector<BufferRequest> requests = {{lights, filled, device, "lights 0"},
                                            {lights, filled, device, "lights 1"},
@@ -27,14 +37,75 @@ std::vector<BufferRequest> requestsOf(uint32_t framesInFlight, uint32_t maxLight
                                            {sizeof(gpu::RsTableState), filled, device, "light table state"},
                                            {columns * sizeof(gpu::uvec2), storage, device, "light excesses"},
                                            {columns * sizeof(gpu::uvec2), storage, device, "light deficits"},
-                                           {blocks * sizeof(gpu::uvec4), storage, device, "light blocks"}};
+                                           {blocks * sizeof(gpu::uvec4), storage, device, "light blocks"},
+                                           {std::max(kept, kLightBytes), copied, device, "lights kept"},
+                                           {meshes, filled, device, "light meshes"},
+                                           {means, storage, device, "light texture means"}};
     for (uint32_t i = 0; i < framesInFlight; ++i)
-        requests.push_back({lights, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryUse::HostWrite, "light staging"});
+        requests.push_back(
+            {lightStaging(desc) + meshes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryUse::HostWrite, "light staging"});
     return requests;
 }
 
 LightLimits limitsOf(const Context::Impl& c, const LightTableDesc& desc) noexcept {
-    return {.lights = desc.maxLights, .textures = c.ownsSceneLayout ? c.maxTextures : RS_LIGHT_NO_TEXTURE};
+    return {.first = desc.meshLights,
+            .lights = desc.maxLights,
+            .textures = c.ownsSceneLayout ? c.maxTextures : RS_LIGHT_NO_TEXTURE};
+}
+
+const char* checkDesc(const MessageSink& sink, const LightTableDesc& desc) noexcept {
+    if (desc.maxLights > kMaxLights) {
+        refuse(sink, "restir: LightTableDesc::maxLights is %u, at most %u", desc.maxLights, kMaxLights);
+        return "LightTableDesc::maxLights is too large";
+    }
+    if (desc.meshLights > desc.maxLights) {
+        refuse(sink, "restir: LightTableDesc::meshLights is %u, maxLights %u", desc.meshLights, desc.maxLights);
+        return "LightTableDesc::meshLights is above maxLights";
+    }
+    return nullptr;
+}
+
+Status checkSlot(const LightTable::Impl& t, const char* call, uint32_t frameSlot) noexcept {
+    if (frameSlot < t.context->framesInFlight) return Status::Ok;
+    return refuse(t.device->sink(), "restir: LightTable::%s: frameSlot is %u, framesInFlight is %u", call, frameSlot,
+                  t.context->framesInFlight);
+}
+
+Status checkRecord(const LightTable::Impl& t, VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
+    if (!cmd) return refuse(t.device->sink(), "restir: LightTable::record: cmd is null");
+    if (Status s = checkSlot(t, "record", frameSlot); s != Status::Ok) return s;
+    for (const auto& [pending, slot] : {std::pair(t.pendingLights, t.lightSlot), std::pair(t.pendingMeshes, t.meshSlot)})
+        if (pending && slot != frameSlot)
+            return refuse(t.device->sink(), "restir: LightTable::record: frameSlot is %u, the upload went to %u", frameSlot, slot);
+    return Status::Ok;
+}
+
+Status findScene(const LightTable::Impl& t, const Scene* scene, VkDescriptorSet bridgeSet, VkDescriptorSet& set) noexcept {
+    const MessageSink& sink = t.device->sink();
+    set = bridgeSet;
+    if (!t.context->ownsSceneLayout)
+        return set ? Status::Ok : refuse(sink, "restir: LightTable::record: bridgeSet is null, but there are meshes");
+    if (!scene) return refuse(sink, "restir: LightTable::record: scene is null, but there are meshes");
+    if (Internals::of(*scene).context != t.context)
+        return refuse(sink, "restir: LightTable::record: scene is of another Context");
+    set = Internals::of(*scene).set;
+    return Status::Ok;
+}
+
+void recordCopies(const LightTable::Impl& t, VkCommandBuffer cmd, bool newLights, bool newMeshes) noexcept {
+    using enum TableBuffer;
+    const Functions& f = t.device->functions;
+    const VkBuffer lightStaging = t.buffers.buffer(t.stagingOf(t.lightSlot)), kept = t.buffer(Kept);
+    if (VkBufferCopy lights{.dstOffset = t.meshLights * kLightBytes, .size = t.uploadBytes()}; lights.size > 0) {
+        f.vkCmdCopyBuffer(cmd, newLights ? lightStaging : kept, t.current(), 1, &lights);
+        lights.dstOffset = 0;
+        if (newLights && t.meshLights > 0) f.vkCmdCopyBuffer(cmd, lightStaging, kept, 1, &lights);
+    }
+    if (t.meshes.count == 0 && t.meshLights > 0)   // else a pass writes them all
+        f.vkCmdFillBuffer(cmd, t.current(), 0, std::min(t.meshLights, t.recorded.count) * kLightBytes, 0);
+    const VkBufferCopy meshes{.srcOffset = t.meshOffset, .size = t.meshes.count * sizeof(gpu::RsLightMesh)};
+    if (newMeshes && meshes.size > 0)
+        f.vkCmdCopyBuffer(cmd, t.buffers.buffer(t.stagingOf(t.meshSlot)), t.buffer(Meshes), 1, &meshes);
 }
 
 }   // namespace
@@ -50,15 +121,13 @@ LightTable::~LightTable() = default;
 
 Result<LightTable> LightTable::create(const Context& context, const LightTableDesc& desc) noexcept {
     const Context::Impl& c = Internals::of(context);
-    if (desc.maxLights > kMaxLights) {
-        refuse(c.device.sink(), "restir: LightTableDesc::maxLights is %u, at most %u", desc.maxLights, kMaxLights);
-        return Error{Status::InvalidArgument, VK_SUCCESS, "LightTableDesc::maxLights is too large"};
-    }
-    auto impl = std::make_unique<Impl>(limitsOf(c, desc));
+    if (const char* wrong = checkDesc(c.device.sink(), desc)) return Error{Status::InvalidArgument, VK_SUCCESS, wrong};
+    auto impl = std::make_unique<Impl>(desc, limitsOf(c, desc));
     impl->context = &c;
     impl->device = &c.device;
     impl->serial = ++c.lightTables;
-    auto buffers = Buffers::create(c.device, requestsOf(c.framesInFlight, desc.maxLights));
+    impl->meshOffset = lightStaging(desc);
+    auto buffers = Buffers::create(c.device, requestsOf(c.framesInFlight, desc));
     if (!buffers) return buffers.error();
     impl->buffers = std::move(*buffers);
     auto environment = EnvironmentTable::create(c.device, desc.maxEnvironmentTexels);
@@ -73,23 +142,33 @@ Result<LightTable> LightTable::create(const Context& context, const LightTableDe
 
 VkDeviceSize LightTable::memoryNeeded(const Context& context, const LightTableDesc& desc) noexcept {
     const Context::Impl& c = Internals::of(context);
-    return Buffers::memoryNeeded(c.device, requestsOf(c.framesInFlight, desc.maxLights)) +
+    return Buffers::memoryNeeded(c.device, requestsOf(c.framesInFlight, desc)) +
            EnvironmentTable::memoryNeeded(c.device, desc.maxEnvironmentTexels);
 }
 
 Status LightTable::upload(uint32_t frameSlot, std::span<const Light> lights) noexcept {
     Impl& t = *impl_;
     const MessageSink& sink = t.device->sink();
-    if (frameSlot >= t.context->framesInFlight)
-        return refuse(sink, "restir: LightTable::upload: frameSlot is %u, framesInFlight is %u", frameSlot,
-                      t.context->framesInFlight);
+    if (Status s = checkSlot(t, "upload", frameSlot); s != Status::Ok) return s;
     // Bad lights must not overwrite good ones that still wait in this slot.
-    if (t.pending && t.uploadSlot == frameSlot)
+    if (t.pendingLights && t.lightSlot == frameSlot)
         if (Status s = t.packer.pack(sink, lights, nullptr, t.uploaded); s != Status::Ok) return s;
     auto* staging = t.buffers.mapped<gpu::RsPackedLight>(t.stagingOf(frameSlot));
     if (Status s = t.packer.pack(sink, lights, staging, t.uploaded); s != Status::Ok) return s;
-    t.pending = true;
-    t.uploadSlot = frameSlot;
+    t.pendingLights = true;
+    t.lightSlot = frameSlot;
+    return Status::Ok;
+}
+
+Status LightTable::uploadMeshes(uint32_t frameSlot, std::span<const LightMesh> meshes) noexcept {
+    Impl& t = *impl_;
+    if (Status s = checkSlot(t, "uploadMeshes", frameSlot); s != Status::Ok) return s;
+    if (Status s = t.meshPacker.pack(t.device->sink(), meshes, t.meshes); s != Status::Ok) return s;
+    const std::span<const gpu::RsLightMesh> list = t.meshPacker.list();
+    auto* staging = t.buffers.mapped<uint8_t>(t.stagingOf(frameSlot)) + t.meshOffset;
+    if (!list.empty()) std::memcpy(staging, list.data(), list.size_bytes());
+    t.pendingMeshes = true;
+    t.meshSlot = frameSlot;
     return Status::Ok;
 }
 
@@ -100,18 +179,21 @@ Status LightTable::uploadEnvironment(const EnvironmentMap& map) noexcept {
     return Status::Ok;
 }
 
-Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
+Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot, const Scene* scene,
+                          VkDescriptorSet bridgeSet) noexcept {
     Impl& t = *impl_;
-    if (!cmd) return refuse(t.device->sink(), "restir: LightTable::record: cmd is null");
-    if (t.pending && frameSlot != t.uploadSlot)
-        return refuse(t.device->sink(), "restir: LightTable::record: frameSlot is %u, the upload went to %u", frameSlot,
-                      t.uploadSlot);
+    BuildInput input{.newMeshes = t.pendingMeshes};
+    if (Status s = checkRecord(t, cmd, frameSlot); s != Status::Ok) return s;
+    if (t.meshes.count > 0)
+        if (Status s = findScene(t, scene, bridgeSet, input.scene); s != Status::Ok) return s;
     t.environment.record(t.device->functions, cmd);
-    if (!t.pending) return Status::Ok;
-    t.pending = false;
+    if (!t.pending() && t.meshes.count == 0) return Status::Ok;
+    const bool newLights = t.pendingLights;
+    t.pendingLights = t.pendingMeshes = false;
     ++t.generation;
     t.previousCount = t.recorded.count;
     t.recorded = t.uploaded;
+    t.recorded.count = std::max(t.uploaded.count, t.meshes.lights);
     t.stopwatch.reset(frameSlot);
     if (t.recorded.count == 0) return Status::Ok;
 
@@ -119,14 +201,14 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot) noexcept {
     constexpr VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
     constexpr VkPipelineStageFlags2 transfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
     constexpr VkAccessFlags2 wrote = VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-    // The copy waits for the last build and the frames that still read these buffers, the build for the copy.
-    memoryBarrier(f, cmd, {compute | transfer, wrote}, {transfer, VK_ACCESS_2_TRANSFER_WRITE_BIT});
-    const VkBufferCopy lights{.size = t.recorded.count * kLightBytes};
-    f.vkCmdCopyBuffer(cmd, t.buffers.buffer(t.stagingOf(frameSlot)), t.current(), 1, &lights);
+    // The copies wait for the last build and the frames that still read these buffers, the build for the copies.
+    memoryBarrier(f, cmd, {compute | transfer, wrote},
+                  {transfer, VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT});
+    recordCopies(t, cmd, newLights, input.newMeshes);
     f.vkCmdFillBuffer(cmd, t.buffer(TableBuffer::State), 0, VK_WHOLE_SIZE, 0);
     memoryBarrier(f, cmd, {compute | transfer, wrote},
                   {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
-    recordBuild(t, cmd, frameSlot);
+    recordBuild(t, cmd, frameSlot, input);
     return Status::Ok;
 }
 

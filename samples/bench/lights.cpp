@@ -14,6 +14,7 @@
 #include "bench/chart.h"
 #include "bench/command.h"
 #include "common/device.h"
+#include "common/gpu_scene.h"
 #include "common/mesh_builder.h"
 #include "restir/lights.h"
 
@@ -75,8 +76,21 @@ struct Times {   // the best of all rounds, milliseconds
     double copy = std::numeric_limits<double>::infinity(), upload = copy, record = copy, gpu = copy;
 };
 
+// The same triangles, as a mesh of a scene.
+std::unique_ptr<samples::GpuScene> meshOf(const samples::Device& device, const std::vector<Light>& lights) {
+    using namespace samples::build;
+    samples::SceneData scene;
+    samples::Geometry geometry{.material = addMaterial(scene, {.emission = glm::vec3(1)})};
+    const auto point = [](const float(&p)[3]) { return glm::vec3(p[0], p[1], p[2]); };
+    for (const Light& light : lights)
+        addTriangle(geometry, {point(light.position), point(light.vertex1), point(light.vertex2)});
+    addInstance(scene, addMesh(scene, {std::move(geometry)}));
+    return std::make_unique<samples::GpuScene>(device, std::move(scene));
+}
+
+// With a scene the lights are its mesh, which the table reads anew in every round.
 Times measure(const samples::Device& device, restir::LightTable& table, std::vector<Light>& lights,
-              uint32_t rounds) {
+              const restir::Scene* scene, uint32_t rounds) {
     Times best;
     std::vector<Light> copies(lights.size());
     for (uint32_t round = 0; round < rounds; ++round) {
@@ -88,12 +102,14 @@ Times measure(const samples::Device& device, restir::LightTable& table, std::vec
                              }));
         move(lights);
         best.upload = std::min(best.upload, millisecondsOf([&] {
+                                   if (scene) return;
                                    device.check(table.upload(slot, lights), "restir::LightTable::upload");
                                }));
         device.submitAndWait([&](VkCommandBuffer cmd) {
-            best.record = std::min(best.record, millisecondsOf([&] {
-                                       device.check(table.record(cmd, slot), "restir::LightTable::record");
-                                   }));
+            best.record =
+                std::min(best.record, millisecondsOf([&] {
+                             device.check(table.record(cmd, slot, scene), "restir::LightTable::record");
+                         }));
         });
         double gpu = 0;
         for (const restir::PassTiming& pass : table.timings(slot)) gpu += pass.milliseconds;
@@ -134,10 +150,27 @@ void run(const Options& options) {
                 "ratio", "GPU ms", "MiB");
     Curves curves;
     for (uint32_t count : options.counts) {
-        const restir::LightTableDesc tableDesc{.maxLights = count};
-        auto table = device.require(restir::LightTable::create(context, tableDesc), "restir::LightTable");
+        restir::LightTableDesc tableDesc{.maxLights = count};
         std::vector<Light> lights = randomLights(count, options.kinds);
-        const Times best = measure(device, table, lights, options.rounds);
+        std::unique_ptr<samples::GpuScene> mesh;
+        std::unique_ptr<restir::Scene> scene;
+        if (options.kinds == "meshes") {
+            mesh = meshOf(device, lights);
+            tableDesc.meshLights = count;
+            tableDesc.maxMeshes = 1;
+            scene = std::make_unique<restir::Scene>(
+                device.require(restir::Scene::create(
+                                   context, {.instances = mesh->instances(), .materials = mesh->materials()}),
+                               "restir::Scene"));
+        }
+        auto table = device.require(restir::LightTable::create(context, tableDesc), "restir::LightTable");
+        if (mesh) {
+            device.check(table.uploadMeshes(0, mesh->lightMeshes()), "restir::LightTable::uploadMeshes");
+            device.submitAndWait([&](VkCommandBuffer cmd) {
+                device.check(table.record(cmd, 0, scene.get()), "restir::LightTable::record");
+            });
+        }
+        const Times best = measure(device, table, lights, scene.get(), options.rounds);
         curves.add(count, best);
         std::printf("%9u %11.4f %11.4f %11.4f %7.2f %11.3f %11.3f\n", count, best.copy, best.upload,
                     best.record, (best.upload + best.record) / best.copy, best.gpu,
@@ -157,9 +190,11 @@ void addLights(CLI::App& app) {
         ->delimiter(',')
         ->check(CLI::Range(1, 1 << 20))
         ->type_name("N,N...");
-    command->add_option("--kinds", options->kinds, "of lights (triangles)")
-        ->check(CLI::IsMember({"triangles", "points", "spots", "mixed"}))
-        ->type_name("triangles|points|spots|mixed");
+    command
+        ->add_option("--kinds", options->kinds,
+                     "of lights; meshes: triangles that the GPU reads from a scene (triangles)")
+        ->check(CLI::IsMember({"triangles", "points", "spots", "mixed", "meshes"}))
+        ->type_name("triangles|points|spots|mixed|meshes");
     command->add_option("--rounds", options->rounds, "frames of each count (20)")
         ->check(CLI::Range(2, 10000))
         ->type_name("N");

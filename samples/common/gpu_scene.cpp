@@ -64,7 +64,7 @@ GpuScene::GpuScene(const Device& device, SceneData scene) : device_(device) {
     rest_.lights = makeSceneLights(scene);
     rest_.materials = scene.materials;
     rest_.state = restOf(scene);
-    lights_ = rest_.lights.lights;
+    state_ = rest_.state;
     try {
         Uploader uploader(device);
         uploadGeometry(uploader, scene);
@@ -254,7 +254,7 @@ void GpuScene::record(VkCommandBuffer cmd, uint32_t slot, const Motion& motion, 
     if (time != previous) previousTlas_ = tlas();
     current_ = 1 - current_;
     motion_->record(cmd, slot, now, before, top(current_));
-    lights_ = lightsAt(rest_.lights, now);
+    state_ = std::move(now);
     ++version_;
     moved_ = static_cast<bool>(motion);
 }

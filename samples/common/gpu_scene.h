@@ -21,16 +21,18 @@ public:
     // last use. Records nothing while nothing moves.
     void record(VkCommandBuffer cmd, uint32_t slot, const Motion& motion, float time, float previous);
 
-    // For the SDK: SceneDesc, FrameInput::tlas and previousTlas, LightTable::upload(). As of the last
+    // For the SDK: SceneDesc, FrameInput::tlas and previousTlas, LightTable. As of the last
     // record().
     VkBuffer instances() const { return instances_.handle(); }
     VkBuffer materials() const { return materials_.handle(); }
     const std::vector<VkDescriptorImageInfo>& textures() const { return textureInfos_; }
     VkAccelerationStructureKHR tlas() const { return top(current_).handle(); }
     VkAccelerationStructureKHR previousTlas() const { return previousTlas_; }   // null: nothing moved
-    const std::vector<restir::Light>& lights() const { return lights_; }
-    uint64_t version() const { return version_; }                 // of lights()
+    std::vector<restir::Light> lights(uint32_t firstId = 0) const { return lightsAt(rest_.lights, state_, firstId); }
+    uint64_t version() const { return version_; }                 // of all lights
     uint32_t maxLights() const { return rest_.lights.idCount; }   // one more than the largest id
+    const std::vector<restir::LightMesh>& lightMeshes() const { return rest_.lights.meshes; }
+    uint32_t meshLights() const { return rest_.lights.meshLights; }   // their ids are below, all others not
     const FloatImage& skyMap() const { return skyMap_; }          // no pixels: no sky
 
     // For the samples' own shaders: set 1 of scene.glsl.
@@ -70,7 +72,7 @@ private:
     std::vector<VkSampler> samplers_;   // by their settings; most are never made
     std::vector<VkDescriptorImageInfo> textureInfos_;
     RestingScene rest_;
-    std::vector<restir::Light> lights_;
+    SceneState state_;
     uint64_t version_ = 0;
     uint64_t triangleCount_ = 0;
 

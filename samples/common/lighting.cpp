@@ -20,28 +20,36 @@ restir::Scene makeScene(const Device& device, const restir::Context& context, co
     return device.require(restir::Scene::create(context, desc), "restir::Scene");
 }
 
-restir::LightTableDesc lightsOf(const GpuScene& scene) {
+restir::LightTableDesc lightsOf(const GpuScene& scene, Emitters emitters) {
     const FloatImage& sky = scene.skyMap();
-    return {.maxLights = scene.maxLights(), .maxEnvironmentTexels = sky.width * sky.height};
+    restir::LightTableDesc desc{.maxLights = scene.maxLights(), .maxEnvironmentTexels = sky.width * sky.height};
+    if (emitters == Emitters::Meshes) {
+        desc.meshLights = scene.meshLights();
+        desc.maxMeshes = static_cast<uint32_t>(scene.lightMeshes().size());
+    }
+    return desc;
 }
 
 }   // namespace
 
-Lighting::Lighting(Device& device, GpuScene& scene)
+Lighting::Lighting(Device& device, GpuScene& scene, Emitters emitters)
     : device_(device),
       scene_(scene),
+      lightsDesc_(lightsOf(scene, emitters)),
       context_(makeContext(device, scene)),
       sdkScene_(makeScene(device, context_, scene)),
-      lights_(device.require(restir::LightTable::create(context_, lightsOf(scene)), "restir::LightTable")) {
+      lights_(device.require(restir::LightTable::create(context_, lightsDesc_), "restir::LightTable")) {
     if (const FloatImage& sky = scene.skyMap(); !sky.rgb.empty())
         device.check(lights_.uploadEnvironment({sky.width, sky.height, sky.rgb}),
                      "restir::LightTable::uploadEnvironment");
+    if (emitters == Emitters::Meshes)
+        device.check(lights_.uploadMeshes(0, scene.lightMeshes()), "restir::LightTable::uploadMeshes");
     device.submitAndWait([&](VkCommandBuffer cmd) { upload(cmd, 0); });
 }
 
 void Lighting::upload(VkCommandBuffer cmd, uint32_t slot) {
-    device_.check(lights_.upload(slot, scene_.lights()), "restir::LightTable::upload");
-    device_.check(lights_.record(cmd, slot), "restir::LightTable::record");
+    device_.check(lights_.upload(slot, scene_.lights(lightsDesc_.meshLights)), "restir::LightTable::upload");
+    device_.check(lights_.record(cmd, slot, &sdkScene_), "restir::LightTable::record");
     version_ = scene_.version();
 }
 
@@ -70,7 +78,7 @@ restir::Session Lighting::makeSession(const restir::SessionDesc& desc) const {
 }
 
 restir::BufferInfo Lighting::memory() const {
-    return {.name = "light table", .bytes = restir::LightTable::memoryNeeded(context_, lightsOf(scene_))};
+    return {.name = "light table", .bytes = restir::LightTable::memoryNeeded(context_, lightsDesc_)};
 }
 
 }   // namespace samples

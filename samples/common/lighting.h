@@ -8,10 +8,13 @@
 
 namespace samples {
 
+// Who makes lights of a scene's emissive triangles.
+enum class Emitters : uint8_t { Uploaded, Meshes };   // the host; the SDK, on the device
+
 class Lighting {
 public:
     // Borrows both.
-    Lighting(Device& device, GpuScene& scene);
+    Lighting(Device& device, GpuScene& scene, Emitters emitters = Emitters::Uploaded);
 
     // Behind GpuScene::record() of the same frame: the lights, where they changed.
     void record(VkCommandBuffer cmd, uint32_t slot);
@@ -26,6 +29,7 @@ private:
 
     Device& device_;
     GpuScene& scene_;
+    restir::LightTableDesc lightsDesc_;
     restir::Context context_;
     restir::Scene sdkScene_;
     restir::LightTable lights_;

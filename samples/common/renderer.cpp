@@ -12,12 +12,13 @@ restir::SessionDesc withExtent(restir::SessionDesc desc, VkExtent2D extent) {
 
 }   // namespace
 
-Renderer::Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session)
+Renderer::Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session,
+                   Emitters emitters)
     : device_(device),
       scene_(scene),
       loop_(device, extent),
       gbuffer_(device, scene, extent),
-      lighting_(device, scene),
+      lighting_(device, scene, emitters),
       session_(lighting_.makeSession(withExtent(session, extent))) {
     if (!scene.skyMap().rgb.empty())
         background_ = std::make_unique<BackgroundPass>(device, scene, gbuffer_, loop_.target(), extent);

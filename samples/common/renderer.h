@@ -30,7 +30,8 @@ struct RenderStats {
 class Renderer {
 public:
     // `session` declares what its settings need (declareFor()); its maxExtent is `extent`.
-    Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session = {});
+    Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session = {},
+             Emitters emitters = Emitters::Uploaded);
 
     // Forgets all history first. With settings.debugView the picture is Output::debug of the last frame.
     FloatImage render(const Sequence& sequence, const restir::Settings& settings,

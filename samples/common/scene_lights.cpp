@@ -119,6 +119,7 @@ public:
             for (const Geometry& geometry : scene_.meshes[scene_.instances[i].mesh].geometries)
                 addGeometry(i, geometry);
         }
+        result_.meshLights = static_cast<uint32_t>(nextId_);
         for (uint32_t i = 0; i < scene_.punctual.size(); ++i) addPunctual(i);
         for (uint32_t i = 0; i < scene_.shapes.size(); ++i) addShape(i);
         if (!scene_.sky.map.rgb.empty()) addSky();
@@ -136,7 +137,9 @@ private:
         }
         const uint64_t count = geometry.indices.size() / 3;
         reserve(count);
-        result_.firstLight.push_back(static_cast<uint32_t>(nextId_));
+        const auto firstLight = static_cast<uint32_t>(nextId_);
+        result_.firstLight.push_back(firstLight);
+        result_.meshes.push_back({record, firstLight, static_cast<uint32_t>(count)});
         for (uint32_t primitive = 0; primitive < count; ++primitive) {
             addTriangle(instance, geometry, material, primitive);
             if (result_.lights.size() > result_.reference.size()) {
@@ -222,11 +225,14 @@ private:
 
 SceneLights makeSceneLights(const SceneData& scene) { return Collector(scene).collect(); }
 
-std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& state) {
+std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& state, uint32_t firstId) {
     using Kind = LightSource::Kind;
+    const auto first = std::partition_point(rest.lights.begin(), rest.lights.end(),
+                                            [=](const restir::Light& light) { return light.id < firstId; });
+    const auto begin = static_cast<size_t>(first - rest.lights.begin());
     std::vector<restir::Light> lights;
-    lights.reserve(rest.lights.size());
-    for (size_t i = 0; i < rest.lights.size(); ++i) {
+    lights.reserve(rest.lights.size() - begin);
+    for (size_t i = begin; i < rest.lights.size(); ++i) {
         restir::Light light = rest.lights[i];
         const LightSource& source = rest.sources[i];
         const float factor = source.kind == Kind::Triangle ? state.emission[source.material] : 1;

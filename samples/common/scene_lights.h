@@ -34,6 +34,8 @@ struct SceneLights {
     std::vector<ReferenceLight> reference;   // the same lights in the same order
     std::vector<LightSource> sources;        // likewise
     std::vector<uint32_t> firstLight;        // of each (instance, geometry) record; RS_NO_LIGHT
+    std::vector<restir::LightMesh> meshes;   // the records that emit
+    uint32_t meshLights = 0;                 // ids of triangles are below, all others from there on
     uint32_t idCount = 0;                    // one more than the largest id
     uint64_t emissiveTriangles = 0;          // triangles of emissive materials
 };
@@ -41,8 +43,8 @@ struct SceneLights {
 // Records count geometries, instance by instance. Throws std::runtime_error beyond the SDK's limit.
 SceneLights makeSceneLights(const SceneData& scene);
 
-// The lights that shine when the scene is in `state`; ids as at rest.
-std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& state);
+// The lights that shine when the scene is in `state`, with ids from `firstId` on; ids as at rest.
+std::vector<restir::Light> lightsAt(const SceneLights& rest, const SceneState& state, uint32_t firstId = 0);
 // All lights in that state, black ones too.
 std::vector<ReferenceLight> referenceAt(const SceneLights& rest, const SceneState& state);
 

@@ -9,6 +9,7 @@
 
 #include <restir/settings.h>
 
+#include "common/lighting.h"
 #include "common/scene_options.h"
 
 namespace render {
@@ -32,6 +33,7 @@ struct Options {
     std::string animation;   // of the scene's; empty: it stands still
     bool jitter = false;
     bool previousTlas = true;
+    samples::Emitters emitters = samples::Emitters::Uploaded;
     std::string exr, png, stats;
 };
 

@@ -12,7 +12,7 @@ void drawCounts(const Facts& facts) {
     };
     line("triangles", counts.triangles);
     line("of them emit", counts.emissiveTriangles);
-    line("lights", facts.stage.scene->lights().size());
+    line("lights", counts.lights);
     line("instances", counts.instances);
     line("materials", counts.materials);
     line("textures", counts.textures);

@@ -90,4 +90,17 @@ BuiltTable build(std::span<const restir::Light> lights, uint32_t maxLights, uint
         read<restir::gpu::RsAliasEntry>("light alias table", count ? std::bit_ceil(std::max(count, 2u)) : 0)};
 }
 
+MeshTable::MeshTable(const restir::SceneDesc& scene, const restir::LightTableDesc& desc)
+    : desc_(desc),
+      scene_(gpu().require(restir::Scene::create(context(), scene), "Scene")),
+      table_(gpu().require(restir::LightTable::create(context(), desc), "LightTable")) {}
+
+BuiltTable MeshTable::build() {
+    gpu().submitAndWait(
+        [&](VkCommandBuffer cmd) { gpu().check(table_.record(cmd, 0, &scene_), "LightTable::record"); });
+    ++builds_;
+    return {read<restir::gpu::RsPackedLight>(builds_ % 2 ? "lights 1" : "lights 0", desc_.maxLights),
+            read<restir::gpu::RsAliasEntry>("light alias table", std::bit_ceil(std::max(desc_.maxLights, 2u)))};
+}
+
 }   // namespace tests

@@ -58,13 +58,14 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
     Pair<RsEnvironmentTexel> texel(fillTexel);
     Pair<RsTablePass> tablePass(fillTablePass);
     Pair<RsTableState> tableState(fillTableState);
+    Pair<RsLightMesh> lightMesh(fillLightMesh);
     using tests::out;
-    const tests::Kernel kernel(k_layout_spv, 16);
+    const tests::Kernel kernel(k_layout_spv, 17);
     kernel.run(1, {out(reservoir.written), out(di.written), out(view.written), out(frame.written),
                    out(pass.written), out(counters.written), out(ray.written), out(light.written),
                    out(alias.written), out(instance.written), out(material.written),
                    tests::in(streamed.expected), out(streamed.written), out(tablePass.written),
-                   out(tableState.written), out(texel.written)});
+                   out(tableState.written), out(texel.written), out(lightMesh.written)});
     reservoir.check("RsReservoir");
     di.check("RsDiConstants");
     view.check("RsView");
@@ -79,6 +80,7 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
     tablePass.check("RsTablePass");
     tableState.check("RsTableState");
     texel.check("RsEnvironmentTexel");
+    lightMesh.check("RsLightMesh");
     streamed.check("RsPackedLight from its stream");
 }
 

@@ -31,7 +31,7 @@ std::string pictureBytes(const std::string& environment, const std::string& sett
 constexpr const char* kSeveralPasses = "--spatial-passes 3 --radius 12 --boiling-filter 1";
 
 TEST(Determinism, NumberOfThreads) {
-    for (const char* settings : {"", kSeveralPasses, "--weights balance --visibility none"}) {
+    for (const char* settings : {"", kSeveralPasses, "--weights balance --visibility none --lights gpu --animate lights"}) {
         SCOPED_TRACE(settings);
         EXPECT_EQ(pictureBytes("LP_NUM_THREADS=1", settings), pictureBytes("LP_NUM_THREADS=2", settings));
     }

@@ -77,10 +77,13 @@ TEST_F(Memory, ProviderSeesWhatWasAnnounced) {
         const auto session = restir::Session::create(*context, {.maxExtent = kExtent});
         ASSERT_TRUE(session);
         EXPECT_EQ(provider.bytes, restir::Session::memoryNeeded(*context, {.maxExtent = kExtent}));
-        const VkDeviceSize before = provider.bytes;
-        const auto table = restir::LightTable::create(*context, {.maxLights = 1000});
-        ASSERT_TRUE(table);
-        EXPECT_EQ(provider.bytes - before, restir::LightTable::memoryNeeded(*context, {.maxLights = 1000}));
+        for (const restir::LightTableDesc& lights :
+             {restir::LightTableDesc{.maxLights = 1000}, {.maxLights = 1000, .meshLights = 700, .maxMeshes = 9}, {}}) {
+            const VkDeviceSize before = provider.bytes;
+            const auto table = restir::LightTable::create(*context, lights);
+            ASSERT_TRUE(table);
+            EXPECT_EQ(provider.bytes - before, restir::LightTable::memoryNeeded(*context, lights));
+        }
     }
     EXPECT_TRUE(provider.live.empty());
 }

@@ -165,6 +165,8 @@ TEST_F(Refusal, Lights) {
     light.id = 0;
     light.emission[1] = kNan;
     expectRefusal(host->lights().upload(0, std::span(&light, 1)), "emission");
+    light.emission[1] = 3e38f;
+    expectRefusal(host->lights().upload(0, std::span(&light, 1)), "light 0 (id 0): bad emission (above 1e30)");
     // The lights of before are still there, and nothing waits to be recorded.
     EXPECT_GT(largest(host->frames(0, 1, unbiased())), 0);
 }
@@ -205,6 +207,9 @@ TEST_F(Refusal, Sessions) {
     const auto table = restir::LightTable::create(host->context(), {.maxLights = (1u << 20) + 1});
     ASSERT_FALSE(table);
     expectRefusal(table.error().status, "maxLights");
+    const auto meshes = restir::LightTable::create(host->context(), {.maxLights = 4, .meshLights = 5});
+    ASSERT_FALSE(meshes);
+    expectRefusal(meshes.error().status, "meshLights");
 }
 
 TEST_F(Refusal, Contexts) {

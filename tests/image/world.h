@@ -18,7 +18,7 @@ samples::Device& device();   // validation on: every test ends with noMessages()
 
 class World {
 public:
-    World(samples::SceneData scene, VkExtent2D extent);
+    World(samples::SceneData scene, VkExtent2D extent, samples::Emitters emitters = samples::Emitters::Uploaded);
 
     samples::FloatImage render(const samples::Sequence& sequence, const restir::Settings& settings);
     samples::FloatImage reference(const samples::Sequence& sequence, const samples::ReferenceSettings& settings);
@@ -34,6 +34,7 @@ public:
 
 private:
     VkExtent2D extent_;
+    samples::Emitters emitters_;
     samples::View view_;
     std::unique_ptr<samples::GpuScene> scene_;
     std::unique_ptr<samples::Renderer> renderer_;

@@ -6,9 +6,18 @@ RS_SHARED_BEGIN
 
 // Push constants of every pass.
 struct RsTablePass {
-    uint lights;    // one more than the largest id
-    uint columns;   // of the alias table
-    uint blocks;    // of RS_TABLE_BLOCK columns
+    uint lights;       // one more than the largest id
+    uint columns;      // of the alias table
+    uint blocks;       // of RS_TABLE_BLOCK columns
+    uint meshLights;   // ids below are of meshes, or of nothing
+    uint meshes;
+};
+
+// Triangles of a record of the scene, by the id of the first one.
+struct RsLightMesh {
+    uint firstLight;
+    uint triangles;
+    uint record;
 };
 
 // Sums over a whole build. Starts as zeros.
@@ -30,10 +39,13 @@ RS_SHARED_END
 #define RS_TABLE_BIND_EXCESS 3     // uvec2 a column: power code, then running sum of excesses
 #define RS_TABLE_BIND_DEFICIT 4    // uvec2 a column: running sum of deficits
 #define RS_TABLE_BIND_BLOCKS 5     // uvec4 a block: sums, then what the blocks before it sum up to
-#define RS_TABLE_BIND_COUNT 6
+#define RS_TABLE_BIND_MESHES 6     // RsLightMesh, by ascending ids
+#define RS_TABLE_BIND_MEANS 7      // vec3 a light of a mesh: mean of its texture
+#define RS_TABLE_BIND_COUNT 8
 
 #define RS_TABLE_GROUP 128u         // what every device has
 #define RS_TABLE_ITEMS 8u          // of an invocation
 #define RS_TABLE_BLOCK 1024u       // of a workgroup; 1024 blocks, which one workgroup sums up, are 2^20 columns
+#define RS_TABLE_ROW 1024u         // workgroups of a light each, in x
 
 #endif

@@ -57,6 +57,9 @@ RS_SHARED_END
 #define RS_LIGHT_TEXTURE_SHIFT 5u
 #define RS_LIGHT_NO_TEXTURE 0x07ffffffu
 
+#define RS_LIGHT_LARGEST 1e30    // of an emission: products with distances, areas and counts stay finite
+#define RS_LIGHT_LONGEST 1e9     // of an edge or a radius, metres, likewise
+
 // Lights at infinity with an extent, which rays that miss everything find: an environment and suns.
 #define RS_INFINITE_LIGHTS 4u
 

@@ -2,13 +2,6 @@
 #ifndef RESTIR_BRIDGE_HIT_GLSL
 #define RESTIR_BRIDGE_HIT_GLSL
 
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer RsVectorStream { vec3 at[]; };
-
-vec3 rsWorldPoint(RsInstance instance, vec3 p) {
-    vec4 q = vec4(p, 1.0);
-    return vec3(dot(instance.worldFromObject[0], q), dot(instance.worldFromObject[1], q), dot(instance.worldFromObject[2], q));
-}
-
 // By the cofactors: the inverse transpose times the determinant, whose sign mirrored instances need.
 vec3 rsWorldNormal(RsInstance instance, vec3 n) {
     vec3 a = instance.worldFromObject[0].xyz, b = instance.worldFromObject[1].xyz, c = instance.worldFromObject[2].xyz;
@@ -39,7 +32,7 @@ vec3 rsMappedNormal(RsInstance instance, RsMaterial material, uvec3 corners, vec
 RsSurface rsBridgeHit(RsHit hit, vec3 origin, vec3 direction) {
     RsInstance instance = rsInstances[hit.instance];
     RsMaterial material = rsMaterials[instance.material];
-    uvec3 corners = rsHitCorners(instance, hit);
+    uvec3 corners = rsCorners(instance, hit.primitive);
     RsVectorStream positions = RsVectorStream(instance.positions);
     vec3 first = rsWorldPoint(instance, positions.at[corners.x]);
     vec3 edges[2] = vec3[2](rsWorldPoint(instance, positions.at[corners.y]) - first,

@@ -9,6 +9,10 @@
 #include "restir/shared/frame.h"
 #include "restir/shared/scene.h"
 
+#ifdef RS_PASS_EMITTERS
+#include "restir/lights/emitter.glsl"
+#endif
+
 #ifndef RS_BRIDGE_BSDF
 #include "restir/bsdf/metallic_roughness.glsl"
 // BSDF times cosine towards the unit direction `light`, 1/sr.
@@ -40,6 +44,15 @@ RsSurface rsBridgeHit(RsHit hit, vec3 origin, vec3 direction) {
     s.valid = false;
     return s;
 }
+#endif
+
+#ifdef RS_PASS_EMITTERS
+#if defined(RS_BRIDGE_TEXTURE) && !defined(RS_BRIDGE_TEXTURE_SIZE)
+uvec2 rsBridgeTextureSize(uint index) { return uvec2(256u); }
+#endif
+#if defined(RS_BRIDGE_SCENE) && !defined(RS_BRIDGE_EMITTER)
+RsEmitter rsBridgeEmitter(uint record, uint primitive) { return rsNoEmitter(); }
+#endif
 #endif
 
 #ifdef RS_PASS_SURFACE

@@ -24,6 +24,7 @@ layout(set = 0, binding = 12, scalar) writeonly buffer Streamed { RsPackedLight 
 RS_OUT(13, RsTablePass, tablePassesOut)
 RS_OUT(14, RsTableState, tableStatesOut)
 RS_OUT(15, RsEnvironmentTexel, texelsOut)
+RS_OUT(16, RsLightMesh, lightMeshesOut)
 
 #define RS_FILL(TYPE, FILL, NAME) \
     TYPE NAME##Value;             \
@@ -48,6 +49,7 @@ void main() {
     RS_FILL(RsTablePass, fillTablePass, tablePassesOut)
     RS_FILL(RsTableState, fillTableState, tableStatesOut)
     RS_FILL(RsEnvironmentTexel, fillTexel, texelsOut)
+    RS_FILL(RsLightMesh, fillLightMesh, lightMeshesOut)
     uint s = i * RS_LIGHT_STRIDE;
     streamed[i] = rsUnpackLight(stream[s], stream[s + 1u], stream[s + 2u], stream[s + 3u], stream[s + 4u]);
 }

@@ -136,6 +136,14 @@ FILL fillTablePass(RS_INOUT(RsTablePass) s, int b) {
     s.lights = U(b);
     s.columns = U(b + 1);
     s.blocks = U(b + 2);
+    s.meshLights = U(b + 3);
+    s.meshes = U(b + 4);
+}
+
+FILL fillLightMesh(RS_INOUT(RsLightMesh) s, int b) {
+    s.firstLight = U(b);
+    s.triangles = U(b + 1);
+    s.record = U(b + 2);
 }
 
 FILL fillTableState(RS_INOUT(RsTableState) s, int b) {

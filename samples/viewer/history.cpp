@@ -28,12 +28,17 @@ void History::endFrame(bool interrupted) {
 
 void History::addTimings(std::span<const restir::PassTiming> timings) {
     FrameRecord record;
+    auto next = order_.begin();
     for (const restir::PassTiming& timing : timings) {
-        auto pass = std::find(passes_.begin(), passes_.end(), timing.name);
-        if (pass == passes_.end()) pass = passes_.insert(pass, timing.name);
-        const auto at = static_cast<size_t>(pass - passes_.begin());
-        record.passes.resize(std::max(record.passes.size(), at + 1));
-        record.passes[at] += timing.milliseconds;
+        auto place =
+            std::find_if(order_.begin(), order_.end(), [&](size_t i) { return passes_[i] == timing.name; });
+        if (place == order_.end()) {
+            place = order_.insert(next, passes_.size());
+            passes_.emplace_back(timing.name);
+        }
+        next = place + 1;
+        record.passes.resize(passes_.size());
+        record.passes[*place] += timing.milliseconds;
     }
     records_.push_back(std::move(record));
     if (records_.size() > kShown) records_.pop_front();

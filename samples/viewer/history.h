@@ -13,7 +13,7 @@
 namespace viewer {
 
 struct FrameRecord {
-    std::vector<double> passes;   // GPU ms, in the order of History::passes()
+    std::vector<double> passes;   // GPU ms, for each of History::passes()
     double frame = 0;             // ms from the last frame to this one
 };
 
@@ -36,6 +36,8 @@ public:
     void forgetErrors() { errors_.clear(); }
 
     const std::vector<std::string>& passes() const { return passes_; }
+    // Of passes(): as they follow one another in a frame, those that not every frame has in their places.
+    const std::vector<size_t>& order() const { return order_; }
     const std::deque<FrameRecord>& records() const { return records_; }
     const std::vector<float>& errors() const { return errors_; }
     const std::vector<double>& steady() const { return steady_; }   // ms of each frame of the session so far
@@ -45,6 +47,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     std::vector<std::string> passes_;
+    std::vector<size_t> order_;
     std::deque<FrameRecord> records_;
     std::vector<float> errors_;
     std::vector<double> steady_, interruptions_;

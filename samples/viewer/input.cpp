@@ -66,7 +66,7 @@ void press(int key, State& state, const Stage& stage) {
             state.saveScreenshot();
             break;
         case GLFW_KEY_ESCAPE:
-            state.quit = true;
+            state.quit = !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);   // of a list of choices
             break;
     }
 }

@@ -47,7 +47,8 @@ void drawGraph(const History& history) {
     float x = corner.x + size.x - width * static_cast<float>(history.records().size());
     for (const FrameRecord& record : history.records()) {
         float y = corner.y + size.y;
-        for (size_t i = 0; i < record.passes.size(); ++i) {
+        for (const size_t i : history.order()) {
+            if (i >= record.passes.size()) continue;
             const float height = size.y * static_cast<float>(record.passes[i] / top);
             list->AddRectFilled({x, y - height}, {x + width, y}, colorOf(history, i));
             y -= height;
@@ -76,7 +77,7 @@ double recent(const History& history, size_t pass) {
 
 void drawPasses(const History& history) {
     if (!ImGui::BeginTable("passes", 2)) return;
-    for (size_t i = 0; i < history.passes().size(); ++i) {
+    for (const size_t i : history.order()) {
         const double milliseconds = recent(history, i);
         if (milliseconds == 0) continue;
         ImGui::TableNextColumn();
@@ -125,8 +126,7 @@ void drawMeasures(const Facts& facts) {
         ImGui::TextDisabled("this queue has no timestamps: no times of passes");
     if (!records.empty()) {
         const Sums sums = sumsOf(facts.history, records.back());
-        ImGui::Text("on the GPU: %.3f ms of the library's passes, %.3f ms of the host's", sums.library,
-                    sums.host);
+        ImGui::Text("GPU: %.3f ms of the library, %.3f ms of the host", sums.library, sums.host);
         drawGraph(facts.history);
         drawPasses(facts.history);
     }

@@ -91,8 +91,8 @@ const std::map<std::string, Action>& actions() {
     return kActions;
 }
 
-// These show only with the next frame, so that two of them do not get in each other's way.
-bool takesFrame(const std::string& name) { return name == "scene" || name == "shot" || name == "panelshot"; }
+// What comes behind these wants them done: a scene is there, and a window is shown, with the next frame.
+bool takesFrame(const std::string& name) { return name == "scene" || name == "panelshot"; }
 
 }   // namespace
 

@@ -14,6 +14,7 @@ struct Facts {
     std::vector<restir::BufferInfo> memory;   // the SDK's
     restir::Counters counters;
     uint32_t referenceFrames = 0;
+    std::string loading;   // a scene that is waited for; empty: none
 };
 
 }   // namespace viewer

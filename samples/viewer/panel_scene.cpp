@@ -7,16 +7,20 @@ namespace {
 
 void drawCounts(const Facts& facts) {
     const SceneCounts& counts = facts.stage.counts;
-    const auto line = [](const char* name, uint64_t count) {
-        ImGui::Text("%12llu  %s", static_cast<unsigned long long>(count), name);
+    const auto cell = [](uint64_t count, const char* name) {
+        ImGui::TableNextColumn();
+        ImGui::Text("%llu %s", static_cast<unsigned long long>(count), name);
     };
-    line("triangles", counts.triangles);
-    line("of them emit", counts.emissiveTriangles);
-    line("lights", counts.lights);
-    line("instances", counts.instances);
-    line("materials", counts.materials);
-    line("textures", counts.textures);
-    ImGui::Text("%12.1f  s to load", facts.stage.loadSeconds);
+    if (ImGui::BeginTable("counts", 2)) {
+        cell(counts.triangles, "triangles");
+        cell(counts.emissiveTriangles, "of them emit");
+        cell(counts.lights, "lights");
+        cell(counts.instances, "instances");
+        cell(counts.materials, "materials");
+        cell(counts.textures, "textures");
+        ImGui::EndTable();
+    }
+    ImGui::Text("loaded in %.1f s", facts.stage.loadSeconds);
 }
 
 void drawAnimation(State& state, const Facts& facts) {
@@ -30,6 +34,7 @@ void drawAnimation(State& state, const Facts& facts) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(100);
     ImGui::SliderFloat("pace", &state.pace, 0.05f, 4, "%.2f", ImGuiSliderFlags_Logarithmic);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the animation's frames for each one shown");
 }
 
 }   // namespace

@@ -54,10 +54,22 @@ void drawLine(const State& state) {
     label("reference", x + 12);
 }
 
+void drawLoading(const std::string& name) {
+    if (name.empty()) return;
+    const std::string text = "loading " + name;
+    const ImVec2 size = ImGui::GetIO().DisplaySize, extent = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 corner{0.5f * (size.x - extent.x), 0.5f * (size.y - extent.y)};
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    list->AddRectFilled({corner.x - 16, corner.y - 12}, {corner.x + extent.x + 16, corner.y + extent.y + 12},
+                        IM_COL32(0, 0, 0, 220), 4);
+    list->AddText(corner, IM_COL32_WHITE, text.c_str());
+}
+
 }   // namespace
 
 void drawPanels(State& state, const Facts& facts) {
     drawLine(state);
+    drawLoading(facts.loading);
     if (!state.panels) return;
     drawControls(state, facts);
     const ImVec2 size = ImGui::GetIO().DisplaySize;

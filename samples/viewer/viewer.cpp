@@ -85,6 +85,13 @@ void Viewer::load(const std::string& name) {
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
 }
 
+void Viewer::replaceStage(const std::string& name) {
+    loading_ = name;
+    drawFrame();   // which says so, and stays until the scene is there
+    loading_.clear();
+    load(name);
+}
+
 // A user is told so; a script comes to an end.
 void Viewer::refuse(const std::string& what) {
     if (script_) throw std::runtime_error(what);
@@ -97,7 +104,7 @@ void Viewer::prepare() {
     const auto pictures = std::exchange(state_.savePictures, {});
     try {
         for (const std::string& path : pictures) savePicture(device_, *picture_, path);
-        if (!name.empty()) load(name);
+        if (!name.empty()) replaceStage(name);
         if (!name.empty() || !pictures.empty()) state_.message.clear();
     } catch (const std::runtime_error& error) {
         refuse(error.what());
@@ -160,7 +167,8 @@ void Viewer::drawFrame() {
                         .extent = picture_->extent(),
                         .memory = picture_->memory(),
                         .counters = counters_,
-                        .referenceFrames = referenceFrames_});
+                        .referenceFrames = referenceFrames_,
+                        .loading = loading_});
     const std::optional<uint32_t> image = swapchain_.acquire(slot);
     if (!image) {
         overlay_.drop();

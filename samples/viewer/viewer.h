@@ -30,6 +30,7 @@ public:
 private:
     void prepare();   // the wishes for this frame
     void load(const std::string& name);
+    void replaceStage(const std::string& name);
     void resizeWindow();
     void drawFrame();
     void record(VkCommandBuffer cmd, uint32_t slot, uint32_t image);
@@ -58,6 +59,7 @@ private:
     samples::CameraPose pose_;   // of the last frame
     uint32_t referenceFrames_ = 0;
     restir::Counters counters_;
+    std::string loading_;        // a scene that the next frame waits for
     bool interrupted_ = false;   // this frame waited for something to be made
 };
 

@@ -18,7 +18,8 @@ using gltf::Materials;
 using gltf::Reader;
 
 constexpr std::array kSupported = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                   "KHR_materials_specular", "KHR_mesh_quantization"};
+                                   "KHR_materials_specular", "KHR_mesh_quantization",
+                                   "KHR_texture_transform"};
 // Without these the file's geometry cannot be read at all.
 constexpr std::array kGeometryExtensions = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                                             "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};

@@ -60,18 +60,36 @@ double number(const tinygltf::Value& object, const char* key, double otherwise) 
     return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
 }
 
-struct TextureUse {
-    int index, texCoord;
-};
+glm::vec2 pair(const tinygltf::Value& object, const char* key, glm::vec2 otherwise) {
+    const tinygltf::Value& value = object.Get(key);
+    if (!value.IsArray() || value.ArrayLen() < 2 || !value.Get(0).IsNumber() || !value.Get(1).IsNumber())
+        return otherwise;
+    return {value.Get(0).GetNumberAsDouble(), value.Get(1).GetNumberAsDouble()};
+}
 
-std::vector<TextureUse> textureUses(const tinygltf::Material& material) {
+TextureCoordinates coordinatesOf(int texCoord, const tinygltf::ExtensionMap& extensions) {
+    TextureCoordinates result{.set = texCoord};
+    if (const auto* transform = extension(extensions, "KHR_texture_transform")) {
+        result.set = static_cast<int>(number(*transform, "texCoord", texCoord));
+        result.transform = {.offset = pair(*transform, "offset", glm::vec2(0)),
+                            .scale = pair(*transform, "scale", glm::vec2(1)),
+                            .rotation = static_cast<float>(number(*transform, "rotation", 0))};
+    }
+    result.set = std::clamp(result.set, 0, 15);
+    return result;
+}
+
+// Of each texture of the material.
+std::vector<TextureCoordinates> textureUses(const tinygltf::Material& material) {
     const auto& pbr = material.pbrMetallicRoughness;
-    std::vector<TextureUse> uses = {
-        {pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord},
-        {material.emissiveTexture.index, material.emissiveTexture.texCoord},
-        {pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord},
-        {material.normalTexture.index, material.normalTexture.texCoord}};
-    std::erase_if(uses, [](const TextureUse& use) { return use.index < 0; });
+    std::vector<TextureCoordinates> uses;
+    const auto add = [&](const auto& texture) {
+        if (texture.index >= 0) uses.push_back(coordinatesOf(texture.texCoord, texture.extensions));
+    };
+    add(pbr.baseColorTexture);
+    add(material.emissiveTexture);
+    add(pbr.metallicRoughnessTexture);
+    add(material.normalTexture);
     return uses;
 }
 
@@ -92,17 +110,25 @@ RsMaterial blankMaterial() {
 
 }   // namespace
 
+glm::vec2 UvTransform::operator()(glm::vec2 uv) const {
+    const float s = std::sin(rotation), c = std::cos(rotation);
+    uv *= scale;
+    return offset + glm::vec2(c * uv.x + s * uv.y, c * uv.y - s * uv.x);
+}
+
 Materials::Materials(Reader& reader, SceneData& scene) : reader_(reader), scene_(scene) {
     const auto& materials = reader.model().materials;
     for (size_t i = 0; i < materials.size(); ++i) {
         const std::string field = "materials[" + std::to_string(i) + "]";
         scene_.materials.push_back(convert(materials[i], field));
-        const std::vector<TextureUse> uses = textureUses(materials[i]);
-        texCoordSets_.push_back(uses.empty() ? 0 : std::clamp(uses.front().texCoord, 0, 15));
-        const bool mixed = std::any_of(uses.begin(), uses.end(), [&](const TextureUse& use) {
-            return use.texCoord != texCoordSets_.back();
+        const std::vector<TextureCoordinates> uses = textureUses(materials[i]);
+        coordinates_.push_back(uses.empty() ? TextureCoordinates{} : uses.front());
+        const bool mixed = std::any_of(uses.begin(), uses.end(), [&](const TextureCoordinates& use) {
+            return use != coordinates_.back();
         });
-        if (mixed) reader_.warn(field + ": textures on different TEXCOORD sets, all use one of them");
+        if (mixed)
+            reader_.warn(field + ": textures with different TEXCOORD sets or KHR_texture_transforms, all use "
+                                 "those of the first");
     }
     if (blendMaterials_ > 0)
         reader_.warn(std::to_string(blendMaterials_) +
@@ -120,8 +146,8 @@ uint32_t Materials::sceneIndex(int gltfMaterial, const std::string& field) {
     return defaultMaterial_;
 }
 
-int Materials::texCoordSet(int gltfMaterial) const {
-    return gltfMaterial < 0 ? 0 : texCoordSets_[static_cast<size_t>(gltfMaterial)];
+TextureCoordinates Materials::coordinates(int gltfMaterial) const {
+    return gltfMaterial < 0 ? TextureCoordinates{} : coordinates_[static_cast<size_t>(gltfMaterial)];
 }
 
 RsMaterial Materials::convert(const tinygltf::Material& material, const std::string& field) {

@@ -96,14 +96,16 @@ void readNormals(Reader& reader, const tinygltf::Primitive& primitive, Geometry&
     repairNormals(reader, geometry, field);
 }
 
-void readUvs(Reader& reader, const tinygltf::Primitive& primitive, int set, Geometry& geometry,
-             const std::string& field) {
-    const std::string name = "TEXCOORD_" + std::to_string(set);
+void readUvs(Reader& reader, const tinygltf::Primitive& primitive, const TextureCoordinates& coordinates,
+             Geometry& geometry, const std::string& field) {
+    const std::string name = "TEXCOORD_" + std::to_string(coordinates.set);
     const int accessor = attribute(primitive, name);
     if (accessor < 0) return;
     const std::string path = field + "." + name;
     geometry.uvs = readStream<glm::vec2>(reader, accessor, path);
     if (geometry.uvs.size() != geometry.positions.size()) reader.fail(path, "count differs from POSITION's");
+    if (coordinates.transform != UvTransform{})
+        std::transform(geometry.uvs.begin(), geometry.uvs.end(), geometry.uvs.begin(), coordinates.transform);
     const auto bad = [](const glm::vec2& uv) { return !std::isfinite(uv.x) || !std::isfinite(uv.y); };
     if (std::none_of(geometry.uvs.begin(), geometry.uvs.end(), bad)) return;
     reader.warn(path + ": values that are not finite were set to zero");
@@ -125,7 +127,7 @@ Geometry convertPrimitive(Reader& reader, Materials& materials, const tinygltf::
     geometry.indices = triangleIndices(reader, primitive, geometry.positions.size(), field);
     readNormals(reader, primitive, geometry, field + ".attributes");
     geometry.material = materials.sceneIndex(primitive.material, field + ".material");
-    readUvs(reader, primitive, materials.texCoordSet(primitive.material), geometry, field + ".attributes");
+    readUvs(reader, primitive, materials.coordinates(primitive.material), geometry, field + ".attributes");
     if (!primitive.targets.empty()) reader.warn("morph targets are ignored");
     return geometry;
 }

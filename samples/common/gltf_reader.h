@@ -49,6 +49,21 @@ private:
     std::vector<std::string>& warnings_;
 };
 
+// KHR_texture_transform: scaled, turned, moved.
+struct UvTransform {
+    glm::vec2 offset{0}, scale{1};
+    float rotation = 0;   // radians, counter-clockwise where v points down
+    glm::vec2 operator()(glm::vec2 uv) const;
+    bool operator==(const UvTransform&) const = default;
+};
+
+// Which coordinates a material's textures use.
+struct TextureCoordinates {
+    int set = 0;
+    UvTransform transform;
+    bool operator==(const TextureCoordinates&) const = default;
+};
+
 // Appends materials, textures and images to the scene and remembers how primitives refer to them.
 class Materials {
 public:
@@ -56,8 +71,7 @@ public:
 
     // SceneData's material index for a primitive's material (-1: glTF's default material).
     uint32_t sceneIndex(int gltfMaterial, const std::string& field);
-    // The texture coordinate set that the material's textures use.
-    int texCoordSet(int gltfMaterial) const;
+    TextureCoordinates coordinates(int gltfMaterial) const;
 
 private:
     restir::gpu::RsMaterial convert(const tinygltf::Material& material, const std::string& field);
@@ -79,7 +93,7 @@ private:
     SceneData& scene_;
     std::map<ImageUse, uint32_t> images_;
     std::map<std::pair<int, bool>, uint32_t> textures_;
-    std::vector<int> texCoordSets_;
+    std::vector<TextureCoordinates> coordinates_;
     uint32_t defaultMaterial_ = RS_NO_TEXTURE;
     size_t blendMaterials_ = 0;
 };

@@ -162,6 +162,38 @@ TEST(Scene, ReadsATriangle) {
     EXPECT_NEAR(view.target.y, 0.5, 1e-5);
 }
 
+// kTriangle with a texture of one texel, its positions read as coordinates, too: (0, 0), (1, 0) and (0, 1).
+std::string texturedTriangle(const std::string& material) {
+    std::string text = replaced(kTriangle, R"("POSITION":0})", R"("POSITION":0,"TEXCOORD_0":1},"material":0)");
+    text = replaced(text, R"("max":[1,1,0]})", R"("max":[1,1,0]},{"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"})");
+    text = replaced(text, R"("byteLength":36}],
+"accessors")", R"("byteLength":36},{"buffer":0,"byteLength":32,"byteStride":12}],
+"accessors")");
+    return replaced(text, R"("meshes")", R"("materials":[)" + material + R"(],"textures":[{"source":0}],"images":[{"uri":
+"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M/wHwAEBgIApD5fRAAAAABJRU5ErkJggg=="}],"meshes")");
+}
+
+// Rotation is counter-clockwise in a picture whose v points down.
+TEST(Scene, TextureTransforms) {
+    const std::string transform =
+        R"("extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],"rotation":1.57079632679,"scale":[2,4]}})";
+    const std::string base = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,)" + transform + "}}";
+    const auto check = [](const std::string& material, size_t warnings) {
+        const TemporaryFile file("transformed.gltf", texturedTriangle(material));
+        std::vector<std::string> said;
+        const SceneData scene = samples::loadScene(file.path(), said);
+        EXPECT_EQ(said.size(), warnings) << (said.empty() ? "" : said[0]);
+        expectSound(scene);
+        const glm::vec2 wanted[] = {{0.25f, 0.5f}, {0.25f, -1.5f}, {4.25f, 0.5f}};
+        const auto& uvs = scene.meshes[0].geometries[0].uvs;
+        ASSERT_EQ(uvs.size(), 3u);
+        for (size_t i = 0; i < 3; ++i) EXPECT_LT(glm::distance(uvs[i], wanted[i]), 1e-5f) << i;
+    };
+    check(base + "}", 0);
+    check(base + R"(,"emissiveTexture":{"index":0,)" + transform + "}}", 0);
+    check(base + R"(,"emissiveTexture":{"index":0}})", 1);   // one set of coordinates for both
+}
+
 TEST(Scene, EveryTruncationIsAnError) {
     const std::string whole = kTriangle;
     for (size_t length = 0; length + 1 < whole.size(); length += 7) {

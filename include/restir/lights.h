@@ -97,6 +97,15 @@ struct LightTableDesc {
     uint32_t maxEnvironmentTexels = 0;   // of an EnvironmentMap, 24 bytes each, half on the device; 0: no environment light
 };
 
+// What a host's own shaders draw lights from, with shaders/restir/bridge/lights.glsl. Storage buffers.
+struct LightBuffers {
+    VkBuffer lights = VK_NULL_HANDLE;        // gpu::RsPackedLight[count]; one of two handles, in turns
+    VkBuffer alias = VK_NULL_HANDLE;         // gpu::RsAliasEntry[]
+    VkBuffer environment = VK_NULL_HANDLE;   // gpu::RsEnvironmentTexel[], row by row
+    uint32_t count = 0;                      // one more than the largest id; 0: there are no lights
+    VkExtent2D environmentExtent = {0, 0};   // texels
+};
+
 // The lights of a scene and the table to draw them from, shared by any number of Sessions. Externally
 // synchronised. Frames that read it are submitted in recording order on one queue of ContextDesc::queueFamily.
 class LightTable {
@@ -129,6 +138,11 @@ public:
     // sets.
     [[nodiscard]] Status record(VkCommandBuffer cmd, uint32_t frameSlot, const Scene* scene = nullptr,
                                 VkDescriptorSet bridgeSet = VK_NULL_HANDLE) noexcept;
+
+    // Of the last record(), for commands between that and the next one. Compute shaders may read them at once, other stages
+    // behind a barrier from Session::passScope(). The next record() waits for compute shaders only: before it the host
+    // makes other stages' reads an execution dependency of passScope().stages.
+    LightBuffers buffers() const noexcept;
 
     // As Session::timings(), of the last build recorded in `frameSlot`.
     std::span<const PassTiming> timings(uint32_t frameSlot) noexcept;

@@ -212,6 +212,16 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot, const Scene* 
     return Status::Ok;
 }
 
+LightBuffers LightTable::buffers() const noexcept {
+    const Impl& t = *impl_;
+    const gpu::uvec2 extent = t.environment.extent();
+    return {.lights = t.current(),
+            .alias = t.alias(),
+            .environment = t.environment.buffer(),
+            .count = t.recorded.count,
+            .environmentExtent = {extent.x, extent.y}};
+}
+
 std::span<const PassTiming> LightTable::timings(uint32_t frameSlot) noexcept { return impl_->stopwatch.read(frameSlot); }
 
 }   // namespace restir

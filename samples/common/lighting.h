@@ -23,6 +23,7 @@ public:
 
     restir::Session makeSession(const restir::SessionDesc& desc) const;
     restir::BufferInfo memory() const;   // of the lights
+    const restir::LightTable& lights() const { return lights_; }
 
 private:
     void upload(VkCommandBuffer cmd, uint32_t slot);

@@ -1,0 +1,42 @@
+// The light tables in shaders of the host's own, of any stage: transparent surfaces, particles, fog, probes. Binds what
+// LightTable::buffers() has, as storage buffers of set RS_LIGHTS_SET from binding RS_LIGHTS_BINDING on: lights, alias,
+// environment. Needs GL_EXT_scalar_block_layout. The host defines, with the numbers of LightBuffers:
+//     uint rsLightCount();
+//     uvec2 rsEnvironmentExtent();
+//     vec4 rsBridgeTexture(uint index, vec2 uv);   // the textures of its Scene, linear
+#ifndef RESTIR_BRIDGE_LIGHTS_GLSL
+#define RESTIR_BRIDGE_LIGHTS_GLSL
+#include "restir/lights/table.glsl"
+
+layout(set = RS_LIGHTS_SET, binding = RS_LIGHTS_BINDING, scalar) readonly buffer RsLights { RsPackedLight rsLights[]; };
+layout(set = RS_LIGHTS_SET, binding = RS_LIGHTS_BINDING + 1, scalar) readonly buffer RsAlias { RsAliasEntry rsAlias[]; };
+layout(set = RS_LIGHTS_SET, binding = RS_LIGHTS_BINDING + 2, scalar) readonly buffer RsEnvironmentTable {
+    RsEnvironmentTexel at[];
+} rsEnvironment;
+
+uint rsLightCount();
+
+RsAliasEntry rsLoadAlias(uint column) { return rsAlias[column]; }
+RsPackedLight rsLoadLight(uint id) { return rsLights[id]; }
+RsEnvironmentTexel rsLoadEnvironment(uint index) { return rsEnvironment.at[index]; }
+
+struct RsDrawnLight {
+    vec3 direction;    // unit, from the receiver to the light
+    float distance;    // metres; RS_FAR for lights at infinity
+    vec3 irradiance;   // on a plane that faces it, over its density, W / m^2; 0: nothing arrives
+};
+
+// A point of some light. For any f the mean of irradiance x visibility x f(direction) over many draws is what all lights
+// bring: f is a BSDF times the cosine, a phase function, or the cosine alone, for the irradiance.
+RsDrawnLight rsDrawLight(vec3 receiver, inout RsRandom random) {
+    RsDrawnLight none = RsDrawnLight(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0));
+    if (rsLightCount() == 0u) return none;
+    RsPackedLight light = rsLoadLight(rsSampleLight(rsLightCount(), random));
+    float seen;
+    uint uv = rsSampleLightUv(light, receiver, random, seen);
+    RsIncident incident = rsIncident(light, uv, receiver);
+    float pdf = rsPdfLight(light, uv, incident, seen);
+    return pdf > 0.0 ? RsDrawnLight(incident.direction, incident.distance, incident.irradiance / pdf) : none;
+}
+
+#endif

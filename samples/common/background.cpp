@@ -19,17 +19,11 @@ static_assert(sizeof(Constants) == 64);
 
 BackgroundPass::BackgroundPass(const Device& device, const GpuScene& scene, const GBufferPass& gbuffer,
                                VkImageView target, VkExtent2D extent)
-    : gbuffer_(gbuffer),
-      extent_(extent),
+    : extent_(extent),
       pass_(device, scene, k_background_spv, std::array{target, gbuffer.depth().view()}, sizeof(Constants)) {}
 
 void BackgroundPass::record(VkCommandBuffer cmd, const CameraPose& pose, glm::vec2 jitter) const {
-    const restir::Scope in = restir::Session::inputScope(), out = restir::Session::outputScope();
-    const Access read{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
-                      VK_IMAGE_LAYOUT_GENERAL};
-    pipelineBarrier(
-        cmd,
-        {{imageBarrier(gbuffer_.depth(), {in.stages, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}, read)}});
+    const restir::Scope out = restir::Session::outputScope();
     memoryBarrier(cmd, {out.stages, out.access},
                   {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
     pass_.record(cmd, extent_, Constants{pose, {extent_.width, extent_.height}, jitter});

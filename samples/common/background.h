@@ -12,11 +12,10 @@ public:
     BackgroundPass(const Device& device, const GpuScene& scene, const GBufferPass& gbuffer,
                    VkImageView target, VkExtent2D extent);
 
-    // Behind the SDK's passes; leaves the depth image in VK_IMAGE_LAYOUT_GENERAL until the next G-buffer.
+    // Behind the SDK's passes and GBufferPass::share().
     void record(VkCommandBuffer cmd, const CameraPose& pose, glm::vec2 jitter) const;
 
 private:
-    const GBufferPass& gbuffer_;
     VkExtent2D extent_;
     ComputePass pass_;
 };

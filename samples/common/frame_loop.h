@@ -21,6 +21,7 @@ struct Sequence {
     std::optional<bool> jitter = {};   // over the pixel, from frame to frame; unset: if accumulated
     float orbitDegrees = 0;            // the camera's turn about its target from frame to frame
     Motion motion = {};                // of the scene
+    bool denoise = false;       // pictures of the SDK
     bool previousTlas = true;   // tell the SDK last frame's acceleration structure; off: a host that has none
     // Gets each frame's picture, in order: four floats a pixel. May be empty.
     std::function<void(uint32_t index, std::span<const float> rgba)> eachFrame = {};

@@ -1,5 +1,7 @@
 #include "common/gbuffer.h"
 
+#include <restir/session.h>
+
 #include "gbuffer.spv.h"
 
 namespace samples {
@@ -55,6 +57,15 @@ void GBufferPass::record(VkCommandBuffer cmd, const CameraPose& pose, const Came
     pipelineBarrier(cmd, barriers);
     pass_.record(cmd, extent_, Constants{pose, previous, {extent_.width, extent_.height}, jitter});
     for (size_t i = 0; i < Count; ++i) barriers[i] = imageBarrier(images_[i], write, after);
+    pipelineBarrier(cmd, barriers);
+}
+
+void GBufferPass::share(VkCommandBuffer cmd) const {
+    const restir::Scope readers = restir::Session::inputScope();
+    const Access from{readers.stages, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    const Access to{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, VK_IMAGE_LAYOUT_GENERAL};
+    std::array<VkImageMemoryBarrier2, Count> barriers;
+    for (size_t i = 0; i < Count; ++i) barriers[i] = imageBarrier(images_[i], from, to);
     pipelineBarrier(cmd, barriers);
 }
 

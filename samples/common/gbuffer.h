@@ -18,6 +18,9 @@ public:
     void record(VkCommandBuffer cmd, const CameraPose& pose, const CameraPose& previous, glm::vec2 jitter,
                 const restir::Scope& readers) const;
 
+    // Behind the SDK's passes: for reading as storage images, in VK_IMAGE_LAYOUT_GENERAL until the next record().
+    void share(VkCommandBuffer cmd) const;
+
     VkExtent2D extent() const { return extent_; }
     // As the SDK takes it.
     restir::GBuffer describe() const;

@@ -33,6 +33,9 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
     if (debugs() && unseen_.handle() == VK_NULL_HANDLE)
         unseen_ =
             GpuImage(device_, loop_.extent(), VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_STORAGE_BIT);
+    if (sequence.denoise && !denoiser_)
+        denoiser_ = std::make_unique<Denoiser>(device_, scene_, gbuffer_, loop_.target(), loop_.extent());
+    if (denoiser_) denoiser_->reset();
     callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, sequence, frame); };
     callbacks.finished = [&](const Frame& frame, std::span<const float> target) { collect(frame, target); };
     callbacks.progress = progress;
@@ -51,6 +54,7 @@ void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame
     restir::FrameInput input = lighting_.input(frame, gbuffer_);
     if (!sequence.previousTlas) input.previousTlas = VK_NULL_HANDLE;
     input.output.radiance = loop_.target();
+    if (sequence.denoise) denoiser_->ask(input.output, settings);
     if (debugs()) {
         const restir::Scope scope = restir::Session::outputScope();
         const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
@@ -60,7 +64,10 @@ void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame
         input.output.debug = loop_.target();
     }
     device_.check(session_.record(cmd, input, settings), "restir::Session::record");
-    if (background_ && !debugs()) background_->record(cmd, frame.pose, frame.jitter);
+    if (debugs()) return;
+    if (background_ || sequence.denoise) gbuffer_.share(cmd);
+    if (sequence.denoise) denoiser_->record(cmd, settings, frame.pose, frame.previous);
+    if (background_) background_->record(cmd, frame.pose, frame.jitter);
 }
 
 void Renderer::collect(const Frame& frame, std::span<const float> target) {

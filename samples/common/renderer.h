@@ -8,6 +8,7 @@
 #include <restir/restir.h>
 
 #include "common/background.h"
+#include "common/denoiser.h"
 #include "common/frame_loop.h"
 #include "common/gbuffer.h"
 #include "common/lighting.h"
@@ -53,6 +54,7 @@ private:
     GpuImage unseen_;   // takes the radiance where something else is looked at
     GBufferPass gbuffer_;
     std::unique_ptr<BackgroundPass> background_;   // null: the scene has no sky
+    std::unique_ptr<Denoiser> denoiser_;           // from the first sequence on that wants it
     Lighting lighting_;
     restir::Session session_;
     restir::Settings settings_;   // of the sequence, as its alpha

@@ -70,6 +70,7 @@ void addEstimator(CLI::App& app, Options& options, std::string& nextEvent) {
         ->type_name(samples::debugViewList());
     app.add_flag("!--no-previous-tlas", options.previousTlas,
                  "keep last frame's acceleration structure from the library");
+    app.add_flag("--denoise", options.denoise, "filter the SDK's picture over frames and neighbours");
     // For checking the reference itself.
     app.add_option("--reference-nee", nextEvent)->check(CLI::IsMember({"on", "off"}))->group("");
 }
@@ -107,6 +108,8 @@ void applyMode(Options& options) {
         if (options.accumulate)
             throw std::runtime_error("--debug: shows one frame, not the mean of --accumulate");
     }
+    if (options.denoise && (options.reference() || options.accumulate || options.debugs()))
+        throw std::runtime_error("--denoise: filters frames of the SDK, not --mode reference, --accumulate or --debug");
     applyIndirect(options);
     samples::reuseAlike(options.settings);
     const bool settles = options.mode == "di" || options.settings.gi.mode == restir::IndirectMode::Restir;

@@ -25,6 +25,7 @@ struct Options {
     bool reference() const { return mode == "reference"; }
     bool debugs() const { return settings.debugView != restir::DebugView::None; }
     bool accumulate = false;
+    bool denoise = false;
     bool validate = false;
     bool quiet = false;
     bool referenceNextEvent = true;

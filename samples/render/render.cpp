@@ -72,6 +72,7 @@ Outcome render(const Options& options) {
                                      .motion = options.animation.empty()
                                                    ? samples::Motion()
                                                    : samples::findMotion(data, options.animation),
+                                     .denoise = options.denoise,
                                      .previousTlas = options.previousTlas};
     samples::Device device({.validate = options.validate});
     Outcome outcome;

@@ -48,6 +48,8 @@ void drawPicture(State& state, const Facts& facts) {
     ImGui::SameLine();
     ImGui::Text("%ux%u", facts.extent.width, facts.extent.height);
     if (state.scale < 1) ImGui::Checkbox("smooth enlargement", &state.smooth);
+    ImGui::Checkbox("denoise", &state.denoise);
+    tooltip("filter the lobes over frames and neighbours, as an engine would; the error counts it, too");
     ImGui::Checkbox("reference on the right", &state.split);
     tooltip(
         "a path tracer that shares no code with the library, the mean of all frames since something moved; "

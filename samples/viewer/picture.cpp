@@ -93,12 +93,27 @@ restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
                            {out.stages, out.access});
     restir::FrameInput input = stage_.lighting->input(frame, images_->gbuffer);
     input.output.radiance = images_->radiance.view();
+    const bool denoises = shot.denoise && shot.settings.debugView == restir::DebugView::None;
+    if (denoises) {
+        if (!images_->denoiser)
+            images_->denoiser = std::make_unique<samples::Denoiser>(device_, *stage_.scene, images_->gbuffer,
+                                                                    images_->radiance.view(), extent_);
+        images_->denoiser->ask(input.output, shot.settings);
+    }
+    if (images_->denoiser && (input.resetHistory || !denoises)) images_->denoiser->reset();
     if (shot.settings.debugView != restir::DebugView::None) input.output.debug = images_->debug.view();
     const restir::Status status = session_->record(cmd, input, shot.settings);
     clock_.mark(cmd, nullptr);
-    if (status == restir::Status::Ok && images_->background) {
-        images_->background->record(cmd, frame.pose, frame.jitter);
-        clock_.mark(cmd, "host.sky");
+    if (status == restir::Status::Ok) {
+        images_->gbuffer.share(cmd);
+        if (denoises) {
+            images_->denoiser->record(cmd, shot.settings, frame.pose, frame.previous);
+            clock_.mark(cmd, "host.denoiser");
+        }
+        if (images_->background) {
+            images_->background->record(cmd, frame.pose, frame.jitter);
+            clock_.mark(cmd, "host.sky");
+        }
     }
     if (shot.display.referenceFrames > 0) {
         samples::Frame paths = frame;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/background.h"
+#include "common/denoiser.h"
 #include "common/reference.h"
 #include "viewer/display.h"
 #include "viewer/pass_clock.h"
@@ -18,6 +19,7 @@ struct Shot {
     samples::Motion motion = {};
     restir::Settings settings;
     DisplaySettings display;
+    bool denoise = false;
 };
 
 class Picture {
@@ -52,6 +54,7 @@ private:
         samples::GpuImage radiance, debug, paths;
         samples::GBufferPass gbuffer;
         std::unique_ptr<samples::BackgroundPass> background;   // null: the scene has no sky
+        std::unique_ptr<samples::Denoiser> denoiser;           // null until it is wanted
         samples::ReferencePass reference;
         std::unique_ptr<Display> display;
     };

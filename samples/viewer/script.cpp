@@ -72,6 +72,7 @@ const std::map<std::string, Action>& actions() {
                    const Stage&) { s.settings = samples::parseSettings(text, s.settings); }},
         {"debug", [](const auto& text, State& s, const Stage&) { s.settings.debugView = parseView(text); }},
         {"split", [](const auto& text, State& s, const Stage&) { s.split = parseSwitch(text); }},
+        {"denoise", [](const auto& text, State& s, const Stage&) { s.denoise = parseSwitch(text); }},
         {"measure", [](const auto& text, State& s, const Stage&) { s.measure = parseSwitch(text); }},
         {"panels", [](const auto& text, State& s, const Stage&) { s.panels = parseSwitch(text); }},
         {"line", [](const auto& text, State& s, const Stage&) { s.line = parseNumber<float>(text); }},

@@ -1,7 +1,7 @@
 // A file that does what a user would: one command a line, # begins a comment.
 //
 //     set NAME=VALUE...       settings as on the command line, preset=NAME among them
-//     debug VIEW|off          split on|off    measure on|off    panels on|off
+//     debug VIEW|off          split on|off    measure on|off    panels on|off    denoise on|off
 //     line X                  where the split is, in [0, 1]
 //     exposure STOPS|auto     scale X         window WxH
 //     scene NAME              camera INDEX    fly RIGHT UP FORWARD    orbit DEGREES

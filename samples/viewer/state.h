@@ -34,6 +34,7 @@ struct State {
     bool split = false;     // the reference to the right of the line
     float line = 0.5f;      // of the width
     bool draggingLine = false;
+    bool denoise = false;
     bool measure = false;   // trace the reference to measure the error, whether it is seen or not
     bool panels = true;
 

@@ -207,6 +207,7 @@ Shot Viewer::describe(uint32_t slot) {
                     .line = state_.split ? state_.line : 1.0f,
                     .debug = state_.settings.debugView != restir::DebugView::None,
                     .referenceFrames = referenceFrames_};
+    shot.denoise = state_.denoise;
     recordedTime_ = frame.time;
     pose_ = frame.pose;
     return shot;

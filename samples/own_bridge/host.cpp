@@ -40,7 +40,8 @@ std::vector<Paint> paintsOf(const samples::SceneData& scene) {
     for (const auto& m : scene.materials)
         paints.push_back({.color = {m.baseColor.x, m.baseColor.y, m.baseColor.z},
                           .retro = m.metalness > 0.5f ? 4.0f : 0.0f,
-                          .emission = {m.emission.x, m.emission.y, m.emission.z}});
+                          .emission = {m.emission.x, m.emission.y, m.emission.z},
+                          .twoSided = (m.flags & RS_MATERIAL_DOUBLE_SIDED) != 0 ? 1u : 0u});
     return paints;
 }
 
@@ -115,15 +116,19 @@ void Host::makeSdkObjects() {
     desc.framesInFlight = 1;
     desc.queueFamily = device_.queueFamily();
     context_ = made(device_, restir::Context::create(desc), "restir::Context");
-    lights_ = made(device_, restir::LightTable::create(*context_, {.maxLights = scene_.maxLights()}),
-                   "restir::LightTable");
+    // All lights are paint, which the bridge shows to the SDK: there is nothing to upload but where.
+    const restir::LightTableDesc lights{.maxLights = scene_.maxLights(),
+                                        .meshLights = scene_.maxLights(),
+                                        .maxMeshes = static_cast<uint32_t>(scene_.lightMeshes().size())};
+    lights_ = made(device_, restir::LightTable::create(*context_, lights), "restir::LightTable");
     session_ = made(device_,
                     restir::Session::create(
                         *context_, {.maxExtent = extent_, .pairedNeighbours = restir::kPresetPartners}),
                     "restir::Session");
-    device_.check(lights_->upload(0, scene_.lights()), "restir::LightTable::upload");
-    device_.submitAndWait(
-        [&](VkCommandBuffer cmd) { device_.check(lights_->record(cmd, 0), "restir::LightTable::record"); });
+    device_.check(lights_->uploadMeshes(0, scene_.lightMeshes()), "restir::LightTable::uploadMeshes");
+    device_.submitAndWait([&](VkCommandBuffer cmd) {
+        device_.check(lights_->record(cmd, 0, nullptr, set_), "restir::LightTable::record");
+    });
 }
 
 void Host::frame(const samples::View& view, uint64_t index, uint32_t seed, const restir::Settings& settings,

@@ -1,4 +1,4 @@
-// A host that shares nothing with restir's standard contract but acceleration structure and lights: a
+// A host that shares nothing with restir's standard contract but the acceleration structure: a
 // visibility buffer, materials of its own, and its own descriptor set 1. See bridge/restir_bridge.glsl.
 #pragma once
 
@@ -18,6 +18,7 @@ struct Paint {
     glm::vec3 color{0.5f};
     float retro = 0;
     glm::vec3 emission{0};
+    uint32_t twoSided = 0;   // shines to both sides
 };
 
 // By material of a scene: its base colour and emission, metals as retroreflective paints.

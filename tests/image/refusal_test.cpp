@@ -194,6 +194,17 @@ TEST_F(Refusal, BadLightsLeaveGoodOnesAlone) {
     EXPECT_EQ(host->frames(0, 1, unbiased()).rgb, expected.rgb);
 }
 
+TEST_F(Refusal, EnvironmentMaps) {
+    auto table = restir::LightTable::create(host->context(), {.maxLights = 1, .maxEnvironmentTexels = 2});
+    ASSERT_TRUE(table);
+    for (const float bad : {3e38f, -1.0f, kNan}) {
+        const float rgb[] = {0, 0, 0, 1, bad, 1};
+        expectRefusal(table->uploadEnvironment({2, 1, rgb}), "at texel (1, 0), must be in [0, 1e30]");
+    }
+    const float rgb[9] = {};
+    expectRefusal(table->uploadEnvironment({3, 1, rgb}), "maxEnvironmentTexels");
+}
+
 TEST_F(Refusal, Sessions) {
     for (VkExtent2D extent : {VkExtent2D{0, 1}, VkExtent2D{1, 0}, VkExtent2D{1u << 20, 1u << 20}}) {
         const auto session = restir::Session::create(host->context(), {.maxExtent = extent});

@@ -6,6 +6,7 @@
 #define RS_BRIDGE_LIGHT
 #define RS_BRIDGE_TEXTURE
 #define RS_BRIDGE_OPAQUE
+#define RS_BRIDGE_EMITTER
 #include "restir/core/surface.glsl"
 #include "restir/rays/hit.glsl"
 #include "restir/shared/frame.h"
@@ -16,6 +17,7 @@ struct OwnPaint {
     vec3 color;
     float retro;   // how much more goes back where it came from, as from a road sign
     vec3 emission;
+    uint twoSided;
 };
 
 layout(set = RS_SET_SCENE, binding = 0, scalar) readonly buffer OwnVisibility { uvec4 ownVisibility[]; };
@@ -50,14 +52,28 @@ bool rsBridgeOpaque(RsHit hit) { return true; }
 
 #include "restir/bridge/standard.glsl"
 
-// ---- pass 0: a visible point from the triangle that a pixel shows --------------------------------------
-
-#ifdef RS_PASS_SURFACE
 vec3 ownCorner(RsInstance instance, uint corner) {
     vec4 p = vec4(OwnPoints(instance.positions).at[OwnIndices(instance.indices).at[corner]], 1.0);
     return vec3(dot(instance.worldFromObject[0], p), dot(instance.worldFromObject[1], p), dot(instance.worldFromObject[2], p));
 }
 
+// ---- lights: whatever paint shines -----------------------------------------------------------------
+
+#ifdef RS_PASS_EMITTERS
+RsEmitter rsBridgeEmitter(uint record, uint primitive) {
+    RsInstance instance = ownInstances[record];
+    OwnPaint paint = ownPaints[instance.material];
+    RsEmitter emitter = rsNoEmitter();
+    for (uint i = 0u; i < 3u; ++i) emitter.corners[i] = ownCorner(instance, 3u * primitive + i);
+    emitter.emission = paint.emission;
+    emitter.twoSided = paint.twoSided != 0u;
+    return emitter;
+}
+#endif
+
+// ---- pass 0: a visible point from the triangle that a pixel shows --------------------------------------
+
+#ifdef RS_PASS_SURFACE
 RsSurfaceInput rsBridgeSurface(uvec2 pixel) {
     RsSurfaceInput result;
     result.motion = vec2(0.0);   // from the cameras
@@ -85,7 +101,7 @@ RsSurfaceInput rsBridgeSurface(uvec2 pixel) {
     s.specular = 0.0;
     s.materialId = instance.material;
     result.surface = s;
-    if (dot(normal, rsFrame.view.eye - position) > 0.0) result.emission = paint.emission;
+    if (paint.twoSided != 0u || dot(normal, rsFrame.view.eye - position) > 0.0) result.emission = paint.emission;
     return result;
 }
 #endif

@@ -150,12 +150,12 @@ restir_setup() {   # restir_setup [tests|viewer]
     export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-$root/build/mesa}"
     mkdir -p "$MESA_SHADER_CACHE_DIR"
 
-    if ! command -v apt-get > /dev/null; then
-        say "no apt here, so nothing is installed; the packages of Debian's that restir needs: $tools" $libraries
-        return
-    fi
     [ "${1:-}" = tests ] || { test_tools=''; test_libraries=''; }
     [ "${1:-}" = viewer ] || viewer_libraries=''
+    if ! command -v apt-get > /dev/null; then
+        say "no apt here, so nothing is installed; the packages of Debian's that restir needs: $tools" $libraries $viewer_libraries
+        return
+    fi
     missing=$(missing_tools $tools $test_tools; missing_libraries $libraries $test_libraries $viewer_libraries)
     if [ -n "$missing" ]; then
         say 'installing' $missing

@@ -21,10 +21,11 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
         ->check(CLI::Range(0.05, 1.0));
     samples::addSceneOptions(app, options.scene);
     samples::addSettingOptions(app, options.settings);
-    app.add_option("--script", options.script, "do what a file says, then quit; see README")
-        ->type_name("FILE");
+    auto* script = app.add_option("--script", options.script, "do what a file says, then quit; see README");
+    script->type_name("FILE");
     app.add_option("--seconds", options.seconds, "begin the script anew until so much time has passed")
-        ->type_name("N");
+        ->type_name("N")
+        ->needs(script);
     app.add_flag("--validate", options.validate, "run under the validation layer; its messages fail the run");
     try {
         app.parse(argc, argv);

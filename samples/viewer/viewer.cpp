@@ -14,6 +14,7 @@ namespace viewer {
 namespace {
 
 constexpr float kSoftwareScale = 0.25f;   // of pictures that the CPU renders
+constexpr uint32_t kFewestPaths = 8;      // a pixel: from less a reference is no measure
 constexpr float kExposureLag = 0.85f;     // share of the exposure that a frame keeps, in stops
 
 samples::DeviceDesc deviceOf(const Options& options, const Window& window) {
@@ -137,8 +138,9 @@ void Viewer::run() {
 void Viewer::collect(uint32_t slot) {
     if (const std::optional<Findings> findings = picture_->display().collect(slot)) {
         // Without direct light the reference has no lights in view, and the library does.
-        if (findings->error && state_.settings.di.mode != restir::DirectMode::Off)
-            history_.addError(*findings->error);
+        const bool comparable =
+            state_.settings.di.mode != restir::DirectMode::Off && referenceFrames_ >= kFewestPaths;
+        if (findings->error && comparable) history_.addError(*findings->error);
         if (state_.autoExposure) {
             const float wanted = samples::autoExposure(findings->thumbnail);
             state_.exposure =

@@ -85,9 +85,10 @@ struct GiSettings {
     uint32_t lightCandidates =
         4;   // [1, 65536] lights tried at each vertex behind that; one of them gets a shadow ray
     bool temporal = true;
-    // [0, 1000] frames a temporal reservoir may stand for. Light that changes is followed as late as that:
-    // what a path saw behind its second vertex is not looked at again.
-    uint32_t maxHistory = 20;
+    // [0, 1000] frames a temporal reservoir may stand for. Light that changes, and things that move where paths end, are
+    // followed as late as that: what a path saw behind its second vertex is not looked at again. 20 were 2 to 6 % less
+    // error in scenes that stand still, 4 a tenth to a third more.
+    uint32_t maxHistory = 8;
     uint32_t spatialPasses = 1;     // [0, 8]
     uint32_t neighbours = 5;        // [1, 16] per spatial pass
     float radius = 30.0f;           // pixels, > 0

@@ -166,6 +166,8 @@ const std::vector<SettingOption>& settingOptions() {
         number("gi-candidates", &GiSettings::lightCandidates,
                "light candidates at each vertex of a path but the first; one gets a shadow ray (4)",
                {1, 65536}),
+        number("gi-max-history", &GiSettings::maxHistory,
+               "frames that temporal reuse of indirect light may stand for, at most max-history (8)", {0, 1000}),
         choice<Weights>(
             "weights", &DiSettings::weights,
             "resampling weights: off is biased, basic the noisiest, pairwise the quietest (pairwise)",
@@ -251,7 +253,7 @@ void reuseAlike(Settings& settings) {
     gi.weights = di.weights;
     if (di.visibility != VisibilityReuse::None) gi.visibility = di.visibility;
     gi.temporal = di.temporal;
-    gi.maxHistory = di.maxHistory;
+    if (gi.mode != IndirectMode::Off) gi.maxHistory = std::min(gi.maxHistory, di.maxHistory);
     gi.spatialPasses = di.spatialPasses;
     gi.neighbours = di.neighbours;
     gi.radius = di.radius;

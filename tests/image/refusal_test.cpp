@@ -1,8 +1,11 @@
 // Bad input is refused by name, and leaves no trace.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <functional>
 #include <limits>
+
+#include <common/setting_options.h>
 
 #include "image/host_view.h"
 #include "image/hypothesis.h"
@@ -43,6 +46,27 @@ protected:
     std::unique_ptr<samples::GpuScene> scene;
     std::unique_ptr<HostView> host;
 };
+
+// What the samples let a user choose is what the library takes.
+TEST_F(Refusal, IsWhereTheSamplesRangesEnd) {
+    for (const samples::SettingOption& option : samples::settingOptions()) {
+        if (option.least == option.most) continue;
+        const auto takes = [&](double value) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%.9g", value);
+            Settings settings;
+            EXPECT_TRUE(option.set(settings, text)) << option.name << " " << text;
+            return static_cast<bool>(host->session().plan(host->input(0), settings));
+        };
+        EXPECT_TRUE(takes(option.least)) << option.name << ": " << device().sdkError();
+        EXPECT_TRUE(takes(option.most)) << option.name << ": " << device().sdkError();
+        if (!option.whole) continue;
+        EXPECT_FALSE(takes(option.most + 1)) << option.name;
+        if (option.least > 0) {   // below 0 there is nothing to set
+            EXPECT_FALSE(takes(option.least - 1)) << option.name;
+        }
+    }
+}
 
 struct BadFrame {
     const char* field;

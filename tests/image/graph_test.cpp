@@ -93,11 +93,20 @@ protected:
         settings.di.spatialPasses = 2;
         settings.di.boilingFilter = 0.5f;
         settings.debugView = restir::DebugView::Age;
+        settings.gi.mode = restir::IndirectMode::Restir;
     }
     std::unique_ptr<HostView> makeHost() const {
-        return std::make_unique<HostView>(
-            *scene, view,
-            HostDesc{.maxExtent = kExtent, .allOutputs = true, .pairedNeighbours = restir::kPresetPartners});
+        return std::make_unique<HostView>(*scene, view,
+                                          HostDesc{.maxExtent = kExtent,
+                                                   .allOutputs = true,
+                                                   .pairedNeighbours = restir::kPresetPartners,
+                                                   .indirect = true});
+    }
+    // Every output is asked for.
+    static restir::FrameInput inputOf(const HostView& host, uint32_t index) {
+        restir::FrameInput input = host.input(index);
+        host.addIndirectLobes(input);
+        return input;
     }
 
     samples::View view;
@@ -109,7 +118,7 @@ TEST_F(GraphTest, AnotherLegalOrderGivesTheSameBits) {
     constexpr uint32_t kFrames = 3;
     const std::unique_ptr<HostView> plain = makeHost(), first = makeHost(), second = makeHost();
     std::vector<glm::vec4> expected[size_t(Target::Count)];
-    for (uint32_t i = 0; i < kFrames; ++i) plain->frame(plain->input(i), settings);
+    for (uint32_t i = 0; i < kFrames; ++i) plain->frame(inputOf(*plain, i), settings);
     for (size_t t = 0; t < size_t(Target::Count); ++t) {
         const auto texels = plain->read(kFrames - 1, Target(t));
         expected[t].assign(texels.begin(), texels.end());
@@ -119,12 +128,12 @@ TEST_F(GraphTest, AnotherLegalOrderGivesTheSameBits) {
     const restir::Scope scope = restir::Session::passScope();
     device().submitAndWait([&](VkCommandBuffer cmd) {
         for (uint32_t i = 0; i < kFrames; ++i) {
-            const restir::FrameInput inputs[] = {first->input(i), second->input(i)};
+            const restir::FrameInput inputs[] = {inputOf(*first, i), inputOf(*second, i)};
             Graph graph;
             for (HostView* host : {first.get(), second.get()}) {
                 auto passes = host->session().prepare(inputs[host == second.get()], settings);
                 ASSERT_TRUE(passes);
-                EXPECT_EQ(passes->size(), i == 0 ? 8u : 10u);
+                EXPECT_EQ(passes->size(), i == 0 ? 10u : 13u);
                 graph.add(host->session(), *passes);
             }
             samples::memoryBarrier(cmd, {scope.stages, scope.access}, {scope.stages, scope.access});
@@ -134,8 +143,8 @@ TEST_F(GraphTest, AnotherLegalOrderGivesTheSameBits) {
             EXPECT_LT(graph.barriers(), 14u);   // two views share them
         }
     });
-    EXPECT_EQ(first->session().timings(kFrames - 1).size(), 10u);
-    EXPECT_EQ(order, "0 1 2 3 5 4 6 7 8 9 ") << "pair_targets before gradient";
+    EXPECT_EQ(first->session().timings(kFrames - 1).size(), 13u);
+    EXPECT_EQ(order, "0 1 2 3 4 5 6 8 7 9 10 11 12 ") << "pair_targets before gradient";
     for (const auto& host : {first.get(), second.get()})
         for (size_t t = 0; t < size_t(Target::Count); ++t) {
             const auto texels = host->read(kFrames - 1, Target(t));

@@ -85,8 +85,8 @@ gpu::RsView makeView(const Camera& camera, VkExtent2D extent) noexcept {
     gpu::RsView view{};
     for (int row = 0; row < 3; ++row) view.viewFromWorld[row] = {v[row], v[4 + row], v[8 + row], v[12 + row]};
     glm::dmat3 axes;
-    for (int column = 0; column < 3; ++column)
-        axes[column] = {double(v[4 * column]), double(v[4 * column + 1]), double(v[4 * column + 2])};
+    for (size_t column = 0; column < 3; ++column)
+        axes[int(column)] = {double(v[4 * column]), double(v[4 * column + 1]), double(v[4 * column + 2])};
     const glm::dmat3 inverse = glm::inverse(axes);
     view.axisX = toVec3(inverse[0]);
     view.axisY = toVec3(inverse[1]);

@@ -1,0 +1,17 @@
+# cmake -DSOURCE= -DWORK= -DNAME=sanitized|sanitized_long -DCOMPILER= -P sanitized.cmake
+function(run)
+    execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${SOURCE} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+set(samples OFF)
+set(programs host_tests)
+if(NAME STREQUAL sanitized_long)
+    set(samples ON)
+    set(programs host_tests samples_tests gpu_tests image_tests)
+endif()
+set(ENV{LSAN_OPTIONS} suppressions=${CMAKE_CURRENT_LIST_DIR}/leaks.txt:print_suppressions=0)
+run(${CMAKE_COMMAND} --preset asan -B ${WORK} -DCMAKE_CXX_COMPILER=${COMPILER} -DRESTIR_SAMPLES=${samples})
+run(${CMAKE_COMMAND} --build ${WORK} --target ${programs})
+foreach(program IN LISTS programs)
+    run(${WORK}/tests/${program} --gtest_brief=1 --gtest_filter=-Long*:*Mutants*)
+endforeach()

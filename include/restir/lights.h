@@ -93,7 +93,7 @@ struct EnvironmentMap {
 struct LightTableDesc {
     uint32_t maxLights = 0;              // one more than the largest id, at most 2^20; 0 is allowed
     uint32_t meshLights = 0;             // ids below are of LightMeshes, all others of Lights; at most maxLights
-    uint32_t maxMeshes = 0;              // LightMeshes at a time
+    uint32_t maxMeshes = 0;              // LightMeshes at a time, at most 2^20
     uint32_t maxEnvironmentTexels = 0;   // of an EnvironmentMap, 24 bytes each, half on the device; 0: no environment light
 };
 

@@ -154,7 +154,7 @@ uint32_t packShape(const Light& light, gpu::RsPackedLight& packed) {
 
 gpu::RsPackedLight packLight(const Light& light, const LightLimits& limits) {
     gpu::RsPackedLight packed{};
-    packed.position = toVec3(light.position);
+    if (!isInfinite(light.kind)) packed.position = toVec3(light.position);   // theirs may be anything
     packed.emission = toVec3(light.emission);
     packed.selection = meanLuminance(light, limits);
     const uint32_t kind = packShape(light, packed);

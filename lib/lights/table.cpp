@@ -53,7 +53,8 @@ LightLimits limitsOf(const Context::Impl& c, const LightTableDesc& desc) noexcep
             .textures = c.ownsSceneLayout ? c.maxTextures : RS_LIGHT_NO_TEXTURE};
 }
 
-const char* checkDesc(const MessageSink& sink, const LightTableDesc& desc) noexcept {
+const char* checkDesc(const Device& device, const LightTableDesc& desc) noexcept {
+    const MessageSink& sink = device.sink();
     if (desc.maxLights > kMaxLights) {
         refuse(sink, "restir: LightTableDesc::maxLights is %u, at most %u", desc.maxLights, kMaxLights);
         return "LightTableDesc::maxLights is too large";
@@ -61,6 +62,16 @@ const char* checkDesc(const MessageSink& sink, const LightTableDesc& desc) noexc
     if (desc.meshLights > desc.maxLights) {
         refuse(sink, "restir: LightTableDesc::meshLights is %u, maxLights %u", desc.meshLights, desc.maxLights);
         return "LightTableDesc::meshLights is above maxLights";
+    }
+    if (desc.maxMeshes > kMaxLights) {
+        refuse(sink, "restir: LightTableDesc::maxMeshes is %u, at most %u", desc.maxMeshes, kMaxLights);
+        return "LightTableDesc::maxMeshes is too large";
+    }
+    const uint32_t mostTexels = device.limits.maxStorageBufferRange / uint32_t(sizeof(gpu::RsEnvironmentTexel));
+    if (desc.maxEnvironmentTexels > mostTexels) {
+        refuse(sink, "restir: LightTableDesc::maxEnvironmentTexels is %u, this device takes %u", desc.maxEnvironmentTexels,
+               mostTexels);
+        return "LightTableDesc::maxEnvironmentTexels is too large";
     }
     return nullptr;
 }
@@ -121,7 +132,7 @@ LightTable::~LightTable() = default;
 
 Result<LightTable> LightTable::create(const Context& context, const LightTableDesc& desc) noexcept {
     const Context::Impl& c = Internals::of(context);
-    if (const char* wrong = checkDesc(c.device.sink(), desc)) return Error{Status::InvalidArgument, VK_SUCCESS, wrong};
+    if (const char* wrong = checkDesc(c.device, desc)) return Error{Status::InvalidArgument, VK_SUCCESS, wrong};
     auto impl = std::make_unique<Impl>(desc, limitsOf(c, desc));
     impl->context = &c;
     impl->device = &c.device;

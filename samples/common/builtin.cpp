@@ -8,6 +8,7 @@ namespace samples {
 
 namespace {
 
+constexpr std::string_view kBuiltinPrefix = "builtin:";
 constexpr uint64_t kMaxStreetTriangles = 200'000'000;
 
 [[noreturn]] void fail(std::string_view name, const std::string& what) {
@@ -54,6 +55,12 @@ SceneData makeBuiltin(std::string_view name) {
     if (kind != "cornell" && kind != "market") fail(name, "unknown, known: cornell, market, street");
     if (!query.empty()) fail(name, "takes no parameters, got '" + std::string{query} + "'");
     return kind == "cornell" ? build::makeCornell() : build::makeMarket();
+}
+
+SceneData loadScene(const std::string& nameOrPath, std::vector<std::string>& warnings) {
+    if (nameOrPath.starts_with(kBuiltinPrefix))
+        return makeBuiltin(std::string_view{nameOrPath}.substr(kBuiltinPrefix.size()));
+    return loadGltf(nameOrPath, warnings);
 }
 
 }   // namespace samples

@@ -11,6 +11,7 @@ using restir::gpu::RsMaterial;
 
 constexpr int kLeastSteps = 4, kMostSteps = 256;   // per triangle edge, when averaging
 constexpr int64_t kMostTexels = 1 << 22;           // looked at for one triangle
+constexpr float kMostDistance = 1 << 23;           // in texels: from there on floats cannot tell one from the next
 // Chance of a triangle whose samples were all black though some texel under it is not, relative to that
 // texel's light: small, but it keeps every estimator that uses it unbiased.
 constexpr float kFloor = 0.05f;
@@ -145,7 +146,10 @@ float EmissionMap::mean(const glm::vec2 (&uv)[3]) const {
     const glm::vec2 size(static_cast<float>(width_), static_cast<float>(height_));
     const float longest = std::max({glm::length((uv[1] - uv[0]) * size), glm::length((uv[2] - uv[0]) * size),
                                     glm::length((uv[2] - uv[1]) * size)});
-    if (!(longest < 1e9f)) return average_;   // not a number, or beyond all sense
+    float farthest = longest;
+    for (const glm::vec2& corner : uv)
+        farthest = std::max({farthest, std::abs(corner.x * size.x), std::abs(corner.y * size.y)});
+    if (!(farthest < kMostDistance)) return average_;
     const int steps = std::clamp(static_cast<int>(std::ceil(longest)), kLeastSteps, kMostSteps);
     double sum = 0;   // at the centroids of steps^2 equal triangles
     for (int row = 0; row < steps; ++row) {

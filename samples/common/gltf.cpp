@@ -183,8 +183,8 @@ private:
         out.innerCone = static_cast<float>(light.spot.innerConeAngle);
         out.outerCone = static_cast<float>(light.spot.outerConeAngle);
         constexpr float kRightAngle = 1.5707964f;
-        if (!(out.innerCone >= 0 && out.innerCone <= out.outerCone && out.outerCone <= kRightAngle))
-            reader_.fail(field, "cone angles must satisfy 0 <= inner <= outer <= pi / 2");
+        if (!(out.innerCone >= 0 && out.innerCone < out.outerCone && out.outerCone <= kRightAngle))
+            reader_.fail(field, "cone angles must satisfy 0 <= inner < outer <= pi / 2");
         scene_.punctual.push_back(out);
     }
 

@@ -15,10 +15,18 @@ using restir::gpu::RsMaterial;
 namespace {
 
 constexpr int kMaxImageSide = 16384;
+constexpr uint64_t kMaxTexels = uint64_t{1} << 30;   // of all images together, 4 GiB
 
 Wrap wrapMode(int mode) {
     if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::Clamp;
     return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::Mirror : Wrap::Repeat;
+}
+
+uint64_t texelsOf(std::span<const uint8_t> bytes) {
+    const int size = static_cast<int>(std::min<size_t>(bytes.size(), INT32_MAX));
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) return 0;
+    return static_cast<uint64_t>(width) * static_cast<uint64_t>(height);
 }
 
 // False: not an image that stb_image reads, too large, or out of memory.
@@ -70,7 +78,7 @@ glm::vec2 pair(const tinygltf::Value& object, const char* key, glm::vec2 otherwi
 TextureCoordinates coordinatesOf(int texCoord, const tinygltf::ExtensionMap& extensions) {
     TextureCoordinates result{.set = texCoord};
     if (const auto* transform = extension(extensions, "KHR_texture_transform")) {
-        result.set = static_cast<int>(number(*transform, "texCoord", texCoord));
+        result.set = static_cast<int>(std::clamp(number(*transform, "texCoord", texCoord), 0.0, 15.0));
         result.transform = {.offset = pair(*transform, "offset", glm::vec2(0)),
                             .scale = pair(*transform, "scale", glm::vec2(1)),
                             .rotation = static_cast<float>(number(*transform, "rotation", 0))};
@@ -244,10 +252,13 @@ void Materials::decodeImages() {
     };
     scene_.images.resize(images_.size());
     std::vector<Job> jobs;
+    uint64_t texels = 0;
     for (const auto& [use, index] : images_) {
         scene_.images[index].srgb = use.srgb;
         jobs.push_back({use.gltfImage, reader_.imageBytes(use.gltfImage), &scene_.images[index]});
+        texels += texelsOf(jobs.back().bytes);
     }
+    if (texels > kMaxTexels) reader_.fail("images", "more than 2^30 texels together");
     std::atomic<size_t> next = 0;
     const auto work = [&] {
         for (size_t i = next++; i < jobs.size(); i = next++)

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 namespace samples::gltf {
 
@@ -49,6 +50,19 @@ bool tooDeep(std::span<const uint8_t> json) {
     return false;
 }
 
+// Sizes that tinygltf would drop without a word; null if there are none.
+const char* negativeSize(std::span<const uint8_t> json) {
+    const std::string_view text(reinterpret_cast<const char*>(json.data()), json.size());
+    for (const char* name : {"byteOffset", "byteLength", "byteStride", "count"}) {
+        const std::string key = '"' + std::string(name) + '"';
+        for (size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
+            const size_t value = text.find_first_not_of(" \t\r\n:", at + key.size());
+            if (value != std::string_view::npos && text[value] == '-') return name;
+        }
+    }
+    return nullptr;
+}
+
 bool isBinary(std::span<const uint8_t> bytes) {
     return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
 }
@@ -68,6 +82,17 @@ bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, i
     image->as_is = true;
     if (image->bufferView < 0) image->image.assign(bytes, bytes + std::max(size, 0));
     return true;
+}
+
+// Files beside the document, as the document itself is read: nothing but regular files of a sane size.
+bool readBeside(std::vector<unsigned char>* bytes, std::string* error, const std::string& path, void*) {
+    try {
+        *bytes = readFile(path);
+        return true;
+    } catch (const std::runtime_error& exception) {
+        *error += exception.what();
+        return false;
+    }
 }
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -133,8 +158,14 @@ Reader::Reader(std::string path, std::vector<std::string>& warnings)
 
 void Reader::parse(const std::vector<uint8_t>& bytes) {
     if (tooDeep(jsonPart(bytes))) fail("document", "nested too deeply");
+    if (const char* field = negativeSize(jsonPart(bytes))) fail(field, "is negative");
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keepEncoded, nullptr);
+    loader.SetFsCallbacks({.FileExists = tinygltf::FileExists,
+                           .ExpandFilePath = [](const std::string& path, void*) { return path; },
+                           .ReadWholeFile = readBeside,
+                           .WriteWholeFile = nullptr,
+                           .user_data = nullptr});
     const std::string folder = std::filesystem::path(path_).parent_path().string();
     const auto size = static_cast<unsigned int>(bytes.size());
     std::string error, warning;

@@ -10,8 +10,6 @@ namespace samples {
 
 namespace {
 
-constexpr std::string_view kBuiltinPrefix = "builtin:";
-
 Bounds meshBounds(const Mesh& mesh) {
     Bounds bounds;
     for (const Geometry& geometry : mesh.geometries)
@@ -42,12 +40,6 @@ Bounds sceneBounds(const SceneData& scene) {
             bounds.add(glm::vec3{instance.worldFromObject * glm::vec4{corner(meshes[instance.mesh], i), 1}});
     }
     return bounds;
-}
-
-SceneData loadScene(const std::string& nameOrPath, std::vector<std::string>& warnings) {
-    if (nameOrPath.starts_with(kBuiltinPrefix))
-        return makeBuiltin(std::string_view{nameOrPath}.substr(kBuiltinPrefix.size()));
-    return loadGltf(nameOrPath, warnings);
 }
 
 SceneState restOf(const SceneData& scene) {

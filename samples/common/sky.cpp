@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 
 #include <stb/stb_image.h>
@@ -143,9 +143,12 @@ std::vector<std::byte> skyTable(const Sky& sky, uint32_t texture) {
     }
     if (header.height > 0) appendDistribution(distributions, rows);
     distributions.insert(distributions.end(), columns.begin(), columns.end());
-    std::vector<std::byte> bytes(sizeof header + distributions.size() * sizeof(float));
-    std::memcpy(bytes.data(), &header, sizeof header);
-    std::memcpy(bytes.data() + sizeof header, distributions.data(), distributions.size() * sizeof(float));
+    const auto add = [](std::vector<std::byte>& to, std::span<const std::byte> more) {
+        to.insert(to.end(), more.begin(), more.end());
+    };
+    std::vector<std::byte> bytes;
+    add(bytes, std::as_bytes(std::span(&header, 1)));
+    add(bytes, std::as_bytes(std::span(distributions)));
     return bytes;
 }
 

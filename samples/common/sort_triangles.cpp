@@ -49,10 +49,10 @@ std::vector<uint32_t> spatialOrder(std::span<const glm::vec3> centroids) {
 }
 
 void sortTriangles(std::span<const glm::vec3> positions, std::vector<uint32_t>& indices) {
-    std::vector<glm::vec3> centroids(indices.size() / 3);
+    std::vector<glm::vec3> centroids(indices.size() / 3, glm::vec3(0));
     for (size_t i = 0; i < centroids.size(); ++i) {
         const uint32_t* corner = &indices[3 * i];
-        centroids[i] = (positions[corner[0]] + positions[corner[1]] + positions[corner[2]]) / 3.0f;
+        for (uint32_t c = 0; c < 3; ++c) centroids[i] += positions[corner[c]] / 3.0f;   // finite, whatever they are
     }
     std::vector<uint32_t> sorted;
     sorted.reserve(indices.size());

@@ -56,6 +56,8 @@ struct RangeCheck {
     Status reuse(const S& s) const noexcept {
         if (Status status = within("lightCandidates", s.lightCandidates, 1, 65536); status != Status::Ok)
             return status;
+        if (!(s.treeShare >= 0 && s.treeShare <= 0.9f))
+            return refuse(sink, "restir: %s::treeShare is %g, must be in [0, 0.9]", of, double(s.treeShare));
         if (Status status = within("maxHistory", s.maxHistory, 0, 1000); status != Status::Ok) return status;
         if (Status status = within("spatialPasses", s.spatialPasses, 0, kMaxSpatialPasses);
             status != Status::Ok)

@@ -132,6 +132,10 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.di.previousField = history ? s.history.field : 0;
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
     c.gi = reuseConstants(settings.gi);
+    if (lights.hasTree) {
+        c.di.treeShare = settings.di.treeShare;
+        c.gi.treeShare = settings.gi.treeShare;
+    }
     c.giBounces = settings.gi.bounces;
     c.giScratch = 1 - s.history.reservoirs;
     return c;

@@ -25,7 +25,7 @@ struct Context::Impl {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
     };
-    std::array<Pipeline, 28> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 34> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatiotemporal"},
@@ -52,7 +52,13 @@ struct Context::Impl {
                                        {"lights.reduce"},
                                        {"lights.prefix"},
                                        {"lights.scan"},
-                                       {"lights.alias"}}};
+                                       {"lights.alias"},
+                                       {"lights.keys"},
+                                       {"lights.count"},
+                                       {"lights.offsets"},
+                                       {"lights.sort"},
+                                       {"lights.split"},
+                                       {"lights.nodes"}}};
 
     VkPipeline pipelineOf(const char* pass) const noexcept;
     ~Impl();

@@ -73,6 +73,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.buffer(RS_BIND_LIGHTS, lights.current());
     w.buffer(RS_BIND_PREVIOUS_LIGHTS, previousLights);
     w.buffer(RS_BIND_ALIAS, lights.alias());
+    if (lights.hasTree) w.buffer(RS_BIND_LIGHT_TREE, lights.buffer(TableBuffer::Tree));
     w.accelerationStructure(RS_BIND_TLAS, frame.tlas);
     w.accelerationStructure(RS_BIND_PREVIOUS_TLAS, frame.previousTlas ? frame.previousTlas : frame.tlas);
     w.buffer(RS_BIND_COUNTERS, s.buffer(Counters));

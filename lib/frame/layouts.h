@@ -10,6 +10,7 @@ constexpr VkDescriptorType bindingType(uint32_t binding) noexcept {
         case RS_BIND_FRAME: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
         case RS_BIND_TLAS:
         case RS_BIND_PREVIOUS_TLAS: return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+        case RS_BIND_LIGHT_TREE: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
         default:
             if (binding >= RS_BIND_RADIANCE) return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
             return binding >= RS_BIND_DEPTH ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;

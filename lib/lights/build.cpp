@@ -5,6 +5,7 @@
 
 #include <device/barrier.h>
 #include <device/label.h>
+#include <lights/tree.h>
 #include <restir/shared/light_table.h>
 
 namespace restir {
@@ -34,6 +35,8 @@ void writeSet(const LightTable::Impl& t, VkDescriptorSet set, TableBuffer lights
     buffers[RS_TABLE_BIND_BLOCKS].buffer = t.buffer(Blocks);
     buffers[RS_TABLE_BIND_MESHES].buffer = t.buffer(Meshes);
     buffers[RS_TABLE_BIND_MEANS].buffer = t.buffer(Means);
+    buffers[RS_TABLE_BIND_TREE].buffer = t.buffer(Tree);
+    buffers[RS_TABLE_BIND_COUNTS].buffer = t.buffer(Counts);
     VkWriteDescriptorSet writes[RS_TABLE_BIND_COUNT];
     for (uint32_t i = 0; i < RS_TABLE_BIND_COUNT; ++i) {
         buffers[i].offset = 0;
@@ -72,6 +75,14 @@ VkResult makeBuildSets(LightTable::Impl& t) noexcept {
     return VK_SUCCESS;
 }
 
+void dispatchOfBuild(const LightTable::Impl& t, VkCommandBuffer cmd, const char* name, uint32_t groups, uint32_t rows) noexcept {
+    const Functions& f = t.device->functions;
+    const Label label(f, cmd, name);
+    f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelineOf(name));
+    f.vkCmdDispatch(cmd, groups, rows, 1);
+    memoryBarrier(f, cmd, {kCompute, kWrite}, {kCompute, kRead | kWrite});
+}
+
 void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, const BuildInput& input) noexcept {
     const Functions& f = t.device->functions;
     const VkPipelineLayout layout = t.context->tablePipelineLayout;
@@ -85,21 +96,17 @@ void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, const 
                                      .meshes = t.meshes.count};
     f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &t.sets[t.generation % 2], 0, nullptr);
     f.vkCmdPushConstants(cmd, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
-    // Each reads what the one before it wrote.
     const auto pass = [&](const char* name, uint32_t groups, uint32_t rows = 1) {
-        const Label passLabel(f, cmd, name);
         t.stopwatch.start(cmd, slot, name);
-        f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelineOf(name));
-        f.vkCmdDispatch(cmd, groups, rows, 1);
+        dispatchOfBuild(t, cmd, name, groups, rows);
         t.stopwatch.stop(cmd, slot);
-        memoryBarrier(f, cmd, {kCompute, kWrite}, {kCompute, kRead | kWrite});
     };
     if (input.scene) {
         f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, RS_SET_SCENE, 1, &input.scene, 0, nullptr);
         if (input.newMeshes) pass("lights.means", RS_TABLE_ROW, (meshLights + RS_TABLE_ROW - 1) / RS_TABLE_ROW);
         pass("lights.meshes", uint32_t(aliasBlocks(meshLights)));
     }
-    if (t.recorded.infinite) pass("lights.extent", blocks);
+    if (t.recorded.infinite || t.hasTree) pass("lights.extent", blocks);
     pass("lights.power", blocks);
     pass("lights.sum", blocks);
     pass("lights.scale", 1);
@@ -107,6 +114,7 @@ void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, const 
     pass("lights.prefix", 1);
     pass("lights.scan", blocks);
     pass("lights.alias", blocks);
+    if (t.hasTree) recordTree(t, cmd, slot, constants);
 }
 
 }   // namespace restir

@@ -18,6 +18,10 @@ struct BuildInput {
     bool newMeshes = false;
 };
 
+// One pass, with the sets and constants as they are; the next one finds what it wrote.
+void dispatchOfBuild(const LightTable::Impl& table, VkCommandBuffer cmd, const char* name, uint32_t groups,
+                     uint32_t rows = 1) noexcept;
+
 // The uploaded lights are there and the state is cleared, both visible to shaders. The table is readable in compute
 // shaders afterwards.
 void recordBuild(LightTable::Impl& table, VkCommandBuffer cmd, uint32_t slot, const BuildInput& input) noexcept;

@@ -7,6 +7,7 @@
 #include <device/barrier.h>
 #include <device/internals.h>
 #include <lights/build.h>
+#include <lights/tree.h>
 #include <restir/shared/light_table.h>
 #include <scene/scene_impl.h>
 
@@ -14,7 +15,7 @@ namespace restir {
 namespace {
 
 constexpr uint32_t kMaxLights = 1u << 20;
-constexpr uint32_t kMaxTimedPasses = 10;
+constexpr uint32_t kMaxTimedPasses = 14;
 constexpr VkDeviceSize kLightBytes = sizeof(gpu::RsPackedLight);
 
 // Of the staging buffers: room for uploaded lights, behind which meshes are.
@@ -40,7 +41,9 @@ std::vector<BufferRequest> requestsOf(uint32_t framesInFlight, const LightTableD
                                            {blocks * sizeof(gpu::uvec4), storage, device, "light blocks"},
                                            {std::max(kept, kLightBytes), copied, device, "lights kept"},
                                            {meshes, filled, device, "light meshes"},
-                                           {means, storage, device, "light texture means"}};
+                                           {means, storage, device, "light texture means"},
+                                           {treeBytes(desc), storage, device, "light tree"},
+                                           {treeCountBytes(desc), storage, device, "light tree counts"}};
     for (uint32_t i = 0; i < framesInFlight; ++i)
         requests.push_back(
             {lightStaging(desc) + meshes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryUse::HostWrite, "light staging"});

@@ -22,12 +22,14 @@ enum class TableBuffer : size_t {
     Kept,     // the last uploaded lights, where meshes bring a build without an upload
     Meshes,   // RsLightMesh[]
     Means,    // of textures, by light of a mesh
+    Tree,     // with LightTableDesc::tree
+    Counts,   // of its sort
     FirstSlot,
 };
 
 struct LightTable::Impl {
     Impl(const LightTableDesc& desc, const LightLimits& limits)
-        : packer(limits), meshPacker(desc.maxMeshes, desc.meshLights), meshLights(desc.meshLights) {}
+        : packer(limits), meshPacker(desc.maxMeshes, desc.meshLights), meshLights(desc.meshLights), hasTree(desc.tree) {}
     ~Impl();
 
     const Context::Impl* context = nullptr;
@@ -41,6 +43,7 @@ struct LightTable::Impl {
     LightPacker packer;
     MeshPacker meshPacker;
     uint32_t meshLights = 0;      // LightTableDesc's
+    bool hasTree = false;
     VkDeviceSize meshOffset = 0;  // in staging buffers
     PackedLights uploaded;        // in the staging buffer of lightSlot
     PackedMeshes meshes;          // likewise of meshSlot

@@ -22,6 +22,7 @@ layout(set = RS_SET, binding = RS_BIND_RESERVOIRS, scalar) buffer RsReservoirs {
 layout(set = RS_SET, binding = RS_BIND_LIGHTS, scalar) readonly buffer RsLights { uvec4 rsLights[]; };
 layout(set = RS_SET, binding = RS_BIND_PREVIOUS_LIGHTS, scalar) readonly buffer RsOldLights { uvec4 rsPreviousLights[]; };
 layout(set = RS_SET, binding = RS_BIND_ALIAS, scalar) readonly buffer RsAlias { RsAliasEntry rsAlias[]; };
+layout(set = RS_SET, binding = RS_BIND_LIGHT_TREE, scalar) readonly buffer RsLightTree { uvec4 rsLightTree[]; };
 layout(set = RS_SET, binding = RS_BIND_TLAS) uniform accelerationStructureEXT rsTlas;
 layout(set = RS_SET, binding = RS_BIND_PREVIOUS_TLAS) uniform accelerationStructureEXT rsPreviousTlas;
 layout(set = RS_SET, binding = RS_BIND_COUNTERS, scalar) buffer RsCounterBlock { RsCounters rsCounters; };
@@ -86,6 +87,8 @@ RsPackedLight rsLoadPreviousLight(uint id) {
                          rsIsTextured(first.w) ? rsPreviousLights[i + 4u] : uvec4(0u));
 }
 RsAliasEntry rsLoadAlias(uint column) { return rsAlias[column]; }
+uvec4 rsLoadTreeNode(uint slot) { return rsLightTree[slot]; }
+uint rsLoadTreeWord(uint index) { return rsLightTree[index / 4u][index % 4u]; }
 uint rsInfiniteLight(uint i) { return rsFrame.infiniteLights[i]; }
 uvec2 rsEnvironmentExtent() { return rsFrame.environmentExtent; }
 RsEnvironmentTexel rsLoadEnvironment(uint index) { return rsEnvironment.at[index]; }

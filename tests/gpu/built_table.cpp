@@ -78,16 +78,17 @@ BuiltTable build(std::span<const restir::Light> lights, uint32_t maxLights, uint
     uint32_t count = 0;
     for (const restir::Light& light : lights) count = std::max(count, light.id + 1);
     auto table = gpu().require(
-        restir::LightTable::create(context(), {.maxLights = std::max(maxLights, count)}), "LightTable");
+        restir::LightTable::create(context(), {.maxLights = std::max(maxLights, count), .tree = true}), "LightTable");
     gpu().submitAndWait([&](VkCommandBuffer cmd) {
         for (uint32_t i = 0; i < times; ++i) {
             gpu().check(table.upload(i % kSlots, lights), "LightTable::upload");
             gpu().check(table.record(cmd, i % kSlots), "LightTable::record");
         }
     });
-    return {
-        read<restir::gpu::RsPackedLight>(times % 2 ? "lights 1" : "lights 0", count),
-        read<restir::gpu::RsAliasEntry>("light alias table", count ? std::bit_ceil(std::max(count, 2u)) : 0)};
+    const size_t columns = count ? std::bit_ceil(std::max(count, 2u)) : 0;
+    return {read<restir::gpu::RsPackedLight>(times % 2 ? "lights 1" : "lights 0", count),
+            read<restir::gpu::RsAliasEntry>("light alias table", columns),
+            read<restir::gpu::uvec4>("light tree", 3 * columns)};
 }
 
 MeshTable::MeshTable(const restir::SceneDesc& scene, const restir::LightTableDesc& desc)
@@ -100,7 +101,7 @@ BuiltTable MeshTable::build() {
         [&](VkCommandBuffer cmd) { gpu().check(table_.record(cmd, 0, &scene_), "LightTable::record"); });
     ++builds_;
     return {read<restir::gpu::RsPackedLight>(builds_ % 2 ? "lights 1" : "lights 0", desc_.maxLights),
-            read<restir::gpu::RsAliasEntry>("light alias table", std::bit_ceil(std::max(desc_.maxLights, 2u)))};
+            read<restir::gpu::RsAliasEntry>("light alias table", std::bit_ceil(std::max(desc_.maxLights, 2u))), {}};
 }
 
 }   // namespace tests

@@ -13,6 +13,7 @@ namespace tests {
 struct BuiltTable {
     std::vector<restir::gpu::RsPackedLight> lights;   // by id, as many as there are ids
     std::vector<restir::gpu::RsAliasEntry> alias;     // all columns that are drawn from
+    std::vector<restir::gpu::uvec4> tree;             // restir/lights/tree.glsl
 };
 
 // Of a table for `maxLights`, or for as many as there are ids; `times` over again in one command buffer.

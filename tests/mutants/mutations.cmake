@@ -28,7 +28,7 @@ restir_mutant(bsdf_density_without_count "p_b instead of n_b p_b (section 2)"
 
 restir_mutant(one_round_counted "directions are weighed against the lights of one round of several (section 2)"
     restir/di/candidates.glsl di/candidates
-    [[rsOfferDirection(fresh, s, direction, nl, nb, random)]] [[rsOfferDirection(fresh, s, direction, perRound, nb, random)]])
+    [[RsStrategies(source, nl, nb)]] [[RsStrategies(source, perRound, nb)]])
 
 restir_mutant(mixed_measures "p_b per solid angle beside p_l per area (section 1)"
     restir/di/candidates.glsl di/candidates
@@ -45,18 +45,18 @@ restir_mutant(light_drawn_off_its_pdf "light 0 is drawn half as often as its pdf
 
 restir_mutant(receivers_density_missing "a point drawn for the receiver counts as one drawn uniformly (section 2)"
     restir/lights/table.glsl di/candidates
-    [[    return light.selection * rsPdfLightUv(light, uv, incident, seen);]]
-    [[    return light.selection;]])
+    [[    return chance * rsPdfLightUv(light, uv, incident, seen);]]
+    [[    return chance;]])
 
 restir_mutant(coin_reused "the random number that chose a light also decides whether it is kept (section 4, independent coins)"
     restir/di/candidates.glsl di/candidates
-    [[        uint id = rsSampleLight(lightCount, random);]]
+    [[        RsLightDraw draw = rsDrawLightFrom(source, receiver, s.normal, random);]]
     [[        RsRandom again = random;
-        uint id = rsSampleLight(lightCount, random);]]
+        RsLightDraw draw = rsDrawLightFrom(source, receiver, s.normal, random);]]
     [[        float coin = rsNext(random);
-        float pdf]]
+        if]]
     [[        float coin = rsNext(again);
-        float pdf]])
+        if]])
 
 restir_mutant(survivors_counted "an empty fresh reservoir has confidence 0 (section 2, counting)"
     restir/di/candidates.glsl di/candidates

@@ -28,6 +28,7 @@ struct RsDiConstants {
     uint freshConfidence;      // pixel-frames that a fresh reservoir stands for
     uint field;                // of the pixels that this frame lights: restir/di/field.glsl
     uint previousField;        // and that the last one lit
+    float treeShare;           // of the lights tried, drawn from the tree; 0 without one
     uint permutation;          // of history pixels: 0 off, else 16 + this frame's corner of the blocks, 2 bits x, 2 y
 };
 

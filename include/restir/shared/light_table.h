@@ -11,6 +11,7 @@ struct RsTablePass {
     uint blocks;       // of RS_TABLE_BLOCK columns
     uint meshLights;   // ids below are of meshes, or of nothing
     uint meshes;
+    uint shift;        // of the tree's sort: bits below the digit that is sorted by
 };
 
 // Triangles of a record of the scene, by the id of the first one.
@@ -41,11 +42,15 @@ RS_SHARED_END
 #define RS_TABLE_BIND_BLOCKS 5     // uvec4 a block: sums, then what the blocks before it sum up to
 #define RS_TABLE_BIND_MESHES 6     // RsLightMesh, by ascending ids
 #define RS_TABLE_BIND_MEANS 7      // vec3 a light of a mesh: mean of its texture
-#define RS_TABLE_BIND_COUNT 8
+#define RS_TABLE_BIND_TREE 8       // uint: restir/lights/tree.glsl
+#define RS_TABLE_BIND_COUNTS 9     // uint: keys with each digit in each block, then where they go
+#define RS_TABLE_BIND_COUNT 10
 
 #define RS_TABLE_GROUP 128u         // what every device has
 #define RS_TABLE_ITEMS 8u          // of an invocation
 #define RS_TABLE_BLOCK 1024u       // of a workgroup; 1024 blocks, which one workgroup sums up, are 2^20 columns
+#define RS_TABLE_DIGIT_BITS 5u     // of a radix sort: an even number of digits of a key
+#define RS_TABLE_DIGITS 32u
 #define RS_TABLE_ROW 1024u         // workgroups of a light each, in x
 
 #endif

@@ -13,7 +13,8 @@ void main() {
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_GI + RS_STAGE_CANDIDATES);
     RsGiFresh fresh = RsGiFresh(rsEmptyGiReservoir(0u), rsNoLight(), rsNoLight());
-    if (s.valid) fresh = rsGiCandidate(s, rsFrame.lightCount, rsFrame.giBounces, rsFrame.gi.lightCandidates, random);
+    RsLightSource source = RsLightSource(rsFrame.lightCount, rsFrame.gi.treeShare);
+    if (s.valid) fresh = rsGiCandidate(s, source, rsFrame.giBounces, rsFrame.gi.lightCandidates, random);
     if (rsPass.shades != 0u) {   // nothing is reused
         rsAddIndirect(pixel, fresh.all.radiance, random);
         if (rsWantsLobes()) rsWriteIndirectLobes(pixel, rsNoLight(), fresh.all);

@@ -35,7 +35,7 @@ RsDrawnLight rsDrawLight(vec3 receiver, inout RsRandom random) {
     float seen;
     uint uv = rsSampleLightUv(light, receiver, random, seen);
     RsIncident incident = rsIncident(light, uv, receiver);
-    float pdf = rsPdfLight(light, uv, incident, seen);
+    float pdf = rsPdfLight(light.selection, light, uv, incident, seen);
     return pdf > 0.0 ? RsDrawnLight(incident.direction, incident.distance, incident.irradiance / pdf) : none;
 }
 

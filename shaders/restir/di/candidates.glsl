@@ -1,5 +1,5 @@
 // Fresh candidates in two stages (Talbot et al. 2005; Veach 1997).
-//   1. n rounds of k lights from the power table, each resampled by p^ / (k p_l); a shadow ray to each survivor finds
+//   1. n rounds of k lights from restir/lights/source.glsl, each resampled by p^ / (k p_l); a shadow ray to each survivor finds
 //      its V. With W = sum / p^ a survivor is an unbiased sample of all that is lit, occluded or not.
 //      p_l is the light's probability times the density of the point for this receiver (restir/lights/light.glsl).
 //   2. The survivors, weighted m_r p^ W with m_r = k p_l / (n k p_l + n_b p_b V), against n_b BSDF directions that hit a
@@ -11,6 +11,7 @@
 #define RESTIR_DI_CANDIDATES_GLSL
 #include "restir/di/direct.glsl"
 #include "restir/di/reservoir.glsl"
+#include "restir/lights/source.glsl"
 
 uint rsBridgeLight(RsHit hit);   // light id of what was hit, RS_NO_LIGHT for none
 // Ids of the extended lights at infinity, in front, then RS_NO_LIGHT. i < RS_INFINITE_LIGHTS
@@ -25,25 +26,35 @@ struct RsChosenLight {
     RsDirect direct;
 };
 
-RsChosenLight rsResampleLights(RsSurface s, uint lightCount, uint candidates, inout RsRandom random) {
+RsChosenLight rsResampleLights(RsSurface s, RsLightSource source, uint candidates, inout RsRandom random) {
     RsChosenLight chosen;
     chosen.sum = 0.0;
-    for (uint i = 0u; lightCount > 0u && i < candidates; ++i) {
-        uint id = rsSampleLight(lightCount, random);
-        RsPackedLight light = rsLoadLight(id);
+    vec3 receiver = rsRayOrigin(s);
+    for (uint i = 0u; source.count > 0u && i < candidates; ++i) {
+        RsLightDraw draw = rsDrawLightFrom(source, receiver, s.normal, random);
+        RsPackedLight light = rsLoadLight(draw.light);
         float seen;
-        uint uv = rsSampleLightUv(light, rsRayOrigin(s), random, seen);
+        uint uv = rsSampleLightUv(light, receiver, random, seen);
         RsDirect direct = rsDirect(s, light, uv);
         float coin = rsNext(random);
-        float pdf = direct.target > 0.0 ? rsPdfLight(light, uv, direct.incident, seen) : 0.0;
+        if (!(direct.target > 0.0)) continue;
+        float chance = rsLightChance(source, draw, light.selection, receiver, s.normal);
+        float pdf = rsPdfLight(chance, light, uv, direct.incident, seen);
         if (!(pdf > 0.0)) continue;
         float weight = direct.target / (float(candidates) * pdf);
         float sum = chosen.sum + weight;
-        if (coin * sum < weight) chosen = RsChosenLight(id, uv, sum, pdf, rsIsFoundByRays(light), direct);
+        if (coin * sum < weight) chosen = RsChosenLight(draw.light, uv, sum, pdf, rsIsFoundByRays(light), direct);
         chosen.sum = sum;
     }
     return chosen;
 }
+
+// Both ways of finding lights: how many candidates of each there are, n k and n_b.
+struct RsStrategies {
+    RsLightSource source;
+    float lights;
+    float directions;
+};
 
 // The second stage while it runs.
 struct RsFresh {
@@ -59,19 +70,18 @@ void rsOffer(inout RsFresh fresh, uint light, uint uv, float target, float weigh
 }
 
 // A point of a light that a BSDF direction found.
-void rsOfferFound(inout RsFresh fresh, RsSurface s, uint id, RsPackedLight light, uint uv, float lightCandidates,
-                  float bsdfCandidates, float coin) {
+void rsOfferFound(inout RsFresh fresh, RsSurface s, uint id, RsPackedLight light, uint uv, RsStrategies n, float coin) {
     RsDirect direct = rsDirect(s, light, uv);
     float pdf = rsBridgeBsdfPdf(s, direct.incident.direction) * direct.incident.solidAngle;
     if (!(direct.target > 0.0 && pdf > 0.0)) return;
-    float lightPdf = rsPdfLight(light, uv, direct.incident, 0.0);
-    float weight = direct.target / (lightCandidates * lightPdf + bsdfCandidates * pdf);
+    float chance = rsLightChance(n.source, id, light.selection, rsRayOrigin(s), s.normal);
+    float lightPdf = rsPdfLight(chance, light, uv, direct.incident, 0.0);
+    float weight = direct.target / (n.lights * lightPdf + n.directions * pdf);
     rsOffer(fresh, id, uv, direct.target, weight, coin);
 }
 
 // What a BSDF direction finds: the triangle that it hits, else all there is at infinity, each light a candidate of its own.
-void rsOfferDirection(inout RsFresh fresh, RsSurface s, vec3 direction, float lightCandidates, float bsdfCandidates,
-                      inout RsRandom random) {
+void rsOfferDirection(inout RsFresh fresh, RsSurface s, vec3 direction, RsStrategies n, inout RsRandom random) {
     if (!(rsBridgeBsdfPdf(s, direction) > 0.0)) return;
     RsHit hit = rsClosestHit(rsRayOrigin(s), direction, RS_FAR);
     bool missed = hit.t < 0.0;
@@ -85,7 +95,7 @@ void rsOfferDirection(inout RsFresh fresh, RsSurface s, vec3 direction, float li
         bool found = rsLightKind(light) == RS_LIGHT_TRIANGLE;
         if (missed) found = rsFindAtInfinity(light, direction, uv);
         else uv = rsPackUv(hit.barycentrics);
-        if (found) rsOfferFound(fresh, s, id, light, uv, lightCandidates, bsdfCandidates, rsNext(random));
+        if (found) rsOfferFound(fresh, s, id, light, uv, n, rsNext(random));
     }
 }
 
@@ -93,9 +103,10 @@ RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout
     bool kill = di.visibility != RS_VISIBILITY_NONE;
     bool traced = kill || di.bsdfCandidates > 0u;   // else V changes nothing
     float perRound = float(di.lightCandidates), nl = float(di.initialSamples) * perRound, nb = float(di.bsdfCandidates);
+    RsLightSource source = RsLightSource(lightCount, di.treeShare);
     RsFresh fresh = RsFresh(RS_NO_LIGHT, 0u, 0.0, 0.0);
     for (uint i = 0u; i < di.initialSamples; ++i) {
-        RsChosenLight survivor = rsResampleLights(s, lightCount, di.lightCandidates, random);
+        RsChosenLight survivor = rsResampleLights(s, source, di.lightCandidates, random);
         float coin = rsNext(random);
         if (!(survivor.sum > 0.0)) continue;
         RsIncident incident = survivor.direct.incident;
@@ -108,7 +119,7 @@ RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout
     }
     for (uint i = 0u; lightCount > 0u && i < di.bsdfCandidates; ++i) {
         vec3 direction = rsBridgeSampleBsdf(s, vec3(rsNext2(random), rsNext(random)));
-        rsOfferDirection(fresh, s, direction, nl, nb, random);
+        rsOfferDirection(fresh, s, direction, RsStrategies(source, nl, nb), random);
     }
     return fresh.sum > 0.0 ? rsMakeReservoir(fresh.light, fresh.uv, fresh.sum / fresh.target, di.freshConfidence, 0u)
                            : rsEmptyReservoir(di.freshConfidence);

@@ -27,7 +27,7 @@ RsShading rsShadeFresh(RsSurface s, vec3 direction, float pdf, float distance, v
 }
 
 // `bounces`: scattering events, that at `s` among them; at least 2.
-RsGiFresh rsGiCandidate(RsSurface s, uint lightCount, uint bounces, uint lightCandidates, inout RsRandom random) {
+RsGiFresh rsGiCandidate(RsSurface s, RsLightSource source, uint bounces, uint lightCandidates, inout RsRandom random) {
     RsGiFresh none = RsGiFresh(rsEmptyGiReservoir(1u), rsNoLight(), rsNoLight());
     vec3 direction = rsBridgeSampleBsdf(s, vec3(rsNext2(random), rsNext(random)));
     float pdf = rsBridgeBsdfPdf(s, direction);
@@ -37,7 +37,7 @@ RsGiFresh rsGiCandidate(RsSurface s, uint lightCount, uint bounces, uint lightCa
     if (hit.t < 0.0) return none;
     RsSurface there = rsBridgeHit(hit, origin, direction);
     if (!there.valid) return none;
-    RsScattered light = rsScatter(there, lightCount, bounces - 1u, lightCandidates, random);
+    RsScattered light = rsScatter(there, source, bounces - 1u, lightCandidates, random);
 
     RsGiFresh fresh = RsGiFresh(rsEmptyGiReservoir(1u), rsShadeFresh(s, direction, pdf, hit.t, light.all),
                                 rsShadeFresh(s, direction, pdf, hit.t, light.all - light.steady));

@@ -1,5 +1,5 @@
 // Light that leaves a hit: what lights bring to it and to the vertices behind it, scattered back along the path. At every
-// vertex lights are drawn (k candidates from the power table, resampled; one shadow ray) and a direction is followed;
+// vertex lights are drawn (k candidates from restir/lights/source.glsl, resampled; one shadow ray) and a direction is followed;
 // the balance heuristic shares out what both find (Veach 1997), as in restir/di/candidates.glsl.
 #ifndef RESTIR_GI_SCATTER_GLSL
 #define RESTIR_GI_SCATTER_GLSL
@@ -21,40 +21,42 @@ struct RsScattered {
 #define RS_LEAST_SURVIVAL 0.1
 
 // What a light brings that a direction of density `pdf` has found at `uv`, shared with the lights that were drawn.
-vec3 rsShareFound(RsSurface s, RsPackedLight light, uint uv, float pdf, float lightCandidates) {
+vec3 rsShareFound(RsSurface s, uint id, RsPackedLight light, uint uv, float pdf, RsStrategies n) {
     RsIncident incident = rsIncident(light, uv, rsRayOrigin(s));
     if (!(incident.solidAngle > 0.0)) return vec3(0.0);
     float p = pdf * incident.solidAngle;   // per unit of the light's domain
-    float drawn = lightCandidates * rsPdfLight(light, uv, incident, 0.0);
+    float chance = rsLightChance(n.source, id, light.selection, rsRayOrigin(s), s.normal);
+    float drawn = n.lights * rsPdfLight(chance, light, uv, incident, 0.0);
     return incident.irradiance / incident.solidAngle * (p / (p + drawn));
 }
 
 // All that a direction finds: the triangle that it hits, else what is at infinity.
-vec3 rsEmissionFound(RsSurface s, RsHit hit, vec3 direction, float pdf, float lightCandidates) {
+vec3 rsEmissionFound(RsSurface s, RsHit hit, vec3 direction, float pdf, RsStrategies n) {
     vec3 sum = vec3(0.0);
     if (hit.t >= 0.0) {
         uint id = rsBridgeLight(hit);
         if (id == RS_NO_LIGHT) return sum;
         RsPackedLight light = rsLoadLight(id);
         if (rsLightKind(light) != RS_LIGHT_TRIANGLE) return sum;
-        return rsShareFound(s, light, rsPackUv(hit.barycentrics), pdf, lightCandidates);
+        return rsShareFound(s, id, light, rsPackUv(hit.barycentrics), pdf, n);
     }
     for (uint i = 0u; i < RS_INFINITE_LIGHTS; ++i) {
         uint id = rsInfiniteLight(i), uv = 0u;
         if (id == RS_NO_LIGHT) break;
         RsPackedLight light = rsLoadLight(id);
-        if (rsFindAtInfinity(light, direction, uv)) sum += rsShareFound(s, light, uv, pdf, lightCandidates);
+        if (rsFindAtInfinity(light, direction, uv)) sum += rsShareFound(s, id, light, uv, pdf, n);
     }
     return sum;
 }
 
 // Light scattered at `s` and at up to `vertices` - 1 behind it.
-RsScattered rsScatter(RsSurface s, uint lightCount, uint vertices, uint lightCandidates, inout RsRandom random) {
+RsScattered rsScatter(RsSurface s, RsLightSource source, uint vertices, uint lightCandidates, inout RsRandom random) {
     RsScattered sum = RsScattered(vec3(0.0), vec3(0.0));
     vec3 steady = vec3(1.0), all = vec3(1.0);   // throughputs
     float k = float(lightCandidates);
+    RsStrategies n = RsStrategies(source, k, 1.0);
     for (uint i = 0u; i < vertices; ++i) {
-        RsChosenLight chosen = rsResampleLights(s, lightCount, lightCandidates, random);
+        RsChosenLight chosen = rsResampleLights(s, source, lightCandidates, random);
         vec3 direction = rsBridgeSampleBsdf(s, vec3(rsNext2(random), rsNext(random)));
         float survival = rsNext(random);
         if (chosen.sum > 0.0 && rsUnoccluded(s, chosen.direct.incident)) {
@@ -79,7 +81,7 @@ RsScattered rsScatter(RsSurface s, uint lightCount, uint vertices, uint lightCan
         }
         vec3 origin = rsRayOrigin(s);
         RsHit hit = rsClosestHit(origin, direction, RS_FAR);
-        vec3 emission = rsEmissionFound(s, hit, direction, pdf, k);
+        vec3 emission = rsEmissionFound(s, hit, direction, pdf, n);
         sum.all += all * emission;
         sum.steady += steady * emission;
         if (hit.t < 0.0 || i + 1u == vertices) break;

@@ -46,7 +46,8 @@ FILL fillDi(RS_INOUT(RsDiConstants) s, int b) {
     s.freshConfidence = U(b + 12);
     s.field = U(b + 13);
     s.previousField = U(b + 14);
-    s.permutation = U(b + 15);
+    s.treeShare = F(b + 15);
+    s.permutation = U(b + 16);
 }
 
 FILL fillView(RS_INOUT(RsView) s, int b) {
@@ -138,6 +139,7 @@ FILL fillTablePass(RS_INOUT(RsTablePass) s, int b) {
     s.blocks = U(b + 2);
     s.meshLights = U(b + 3);
     s.meshes = U(b + 4);
+    s.shift = U(b + 5);
 }
 
 FILL fillLightMesh(RS_INOUT(RsLightMesh) s, int b) {

@@ -6,3 +6,7 @@ uint rsInfiniteLight(uint i) { return 0xffffffffu; }
 uvec2 rsEnvironmentExtent() { return uvec2(1u); }
 RsEnvironmentTexel rsLoadEnvironment(uint index) { return RsEnvironmentTexel(0xffffffffu, 0u, 1.0); }
 #endif
+#ifndef HOOKS_TREE
+uvec4 rsLoadTreeNode(uint node) { return uvec4(0u); }
+uint rsLoadTreeWord(uint index) { return 0u; }
+#endif

@@ -94,9 +94,9 @@ struct LightTableDesc {
     uint32_t maxLights = 0;              // one more than the largest id, at most 2^20; 0 is allowed
     uint32_t meshLights = 0;             // ids below are of LightMeshes, all others of Lights; at most maxLights
     uint32_t maxMeshes = 0;              // LightMeshes at a time, at most 2^20
-    // Also build a tree over all lights that are somewhere, every time: lights near a surface are then found among very
-    // many, which draws by power are not good at. 48 bytes per id, their number a power of two, and a sort on the device. DiSettings::treeShare.
-    bool tree = false;
+    // Also build a tree over all lights that are somewhere, in every record() with something new: it finds the lights next to a
+    // surface among very many (DiSettings::treeShare). 48 bytes per id, up to a power of two of them, and a sort on the device.
+    bool tree = true;
     uint32_t maxEnvironmentTexels = 0;   // of an EnvironmentMap, 24 bytes each, half on the device; 0: no environment light
 };
 

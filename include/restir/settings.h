@@ -33,9 +33,9 @@ enum class DirectMode : uint8_t {
 struct DiSettings {
     DirectMode mode = DirectMode::Restir;
     uint32_t lightCandidates = 16;   // [1, 65536] lights tried per round before reuse
-    // [0, 0.9] the share of them drawn by what they may bring to the surface, where LightTableDesc::tree is set; the others
-    // are drawn by power alone.
-    float treeShare = 0.5f;
+    // [0, 0.9] the share of them that are drawn by what they may bring to the surface, with LightTableDesc::tree; all others
+    // are drawn by power alone. Unbiased whatever it is; 0 is faster where all light comes from one place.
+    float treeShare = 0.75f;
     uint32_t initialSamples = 1;     // [1, 8] rounds; a shadow ray for the light that each of them chooses
     uint32_t cutSamples = 4;         // [1, 8] rounds, if more, of a frame whose temporal reuse has no history
     uint32_t bsdfCandidates = 1;     // [0, 8] directions tried, a ray each; 0 where nothing is glossy
@@ -87,7 +87,7 @@ struct GiSettings {
     uint32_t bounces = 3;   // [2, 64] scattering events of a path at most, the visible surface's among them
     uint32_t lightCandidates =
         4;   // [1, 65536] lights tried at each vertex behind that; one of them gets a shadow ray
-    float treeShare = 0.5f;   // as in DiSettings
+    float treeShare = 0.75f;   // as in DiSettings
     bool temporal = true;
     // [0, 1000] frames a temporal reservoir may stand for. Light that changes, and things that move where paths end, are
     // followed as late as that: what a path saw behind its second vertex is not looked at again. 20 were 2 to 6 % less

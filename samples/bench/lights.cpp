@@ -28,6 +28,7 @@ struct Options {
     std::vector<uint32_t> counts{100, 1000, 10'000, 100'000, 1'000'000};
     std::string kinds = "triangles";
     uint32_t rounds = 20;
+    bool tree = true;
     std::string plot;
 };
 
@@ -150,7 +151,7 @@ void run(const Options& options) {
                 "ratio", "GPU ms", "MiB");
     Curves curves;
     for (uint32_t count : options.counts) {
-        restir::LightTableDesc tableDesc{.maxLights = count};
+        restir::LightTableDesc tableDesc{.maxLights = count, .tree = options.tree};
         std::vector<Light> lights = randomLights(count, options.kinds);
         std::unique_ptr<samples::GpuScene> mesh;
         std::unique_ptr<restir::Scene> scene;
@@ -195,6 +196,7 @@ void addLights(CLI::App& app) {
                      "of lights; meshes: triangles that the GPU reads from a scene (triangles)")
         ->check(CLI::IsMember({"triangles", "points", "spots", "mixed", "meshes"}))
         ->type_name("triangles|points|spots|mixed|meshes");
+    command->add_flag("!--no-tree", options->tree, "without LightTableDesc::tree");
     command->add_option("--rounds", options->rounds, "frames of each count (20)")
         ->check(CLI::Range(2, 10000))
         ->type_name("N");

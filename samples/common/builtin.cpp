@@ -52,8 +52,9 @@ SceneData makeBuiltin(std::string_view name) {
     const std::string_view kind = name.substr(0, mark);
     const std::string_view query = mark == std::string_view::npos ? "" : name.substr(mark + 1);
     if (kind == "street") return build::makeStreet(parseStreet(name, query));
-    if (kind != "cornell" && kind != "market") fail(name, "unknown, known: cornell, market, street");
+    if (kind != "cornell" && kind != "market" && kind != "city") fail(name, "unknown, known: cornell, market, city, street");
     if (!query.empty()) fail(name, "takes no parameters, got '" + std::string{query} + "'");
+    if (kind == "city") return build::makeCity();
     return kind == "cornell" ? build::makeCornell() : build::makeMarket();
 }
 

@@ -22,7 +22,7 @@ restir::Scene makeScene(const Device& device, const restir::Context& context, co
 
 restir::LightTableDesc lightsOf(const GpuScene& scene, Emitters emitters) {
     const FloatImage& sky = scene.skyMap();
-    restir::LightTableDesc desc{.maxLights = scene.maxLights(), .tree = true, .maxEnvironmentTexels = sky.width * sky.height};
+    restir::LightTableDesc desc{.maxLights = scene.maxLights(), .maxEnvironmentTexels = sky.width * sky.height};
     if (emitters == Emitters::Meshes) {
         desc.meshLights = scene.meshLights();
         desc.maxMeshes = static_cast<uint32_t>(scene.lightMeshes().size());

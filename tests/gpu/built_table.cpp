@@ -78,7 +78,7 @@ BuiltTable build(std::span<const restir::Light> lights, uint32_t maxLights, uint
     uint32_t count = 0;
     for (const restir::Light& light : lights) count = std::max(count, light.id + 1);
     auto table = gpu().require(
-        restir::LightTable::create(context(), {.maxLights = std::max(maxLights, count), .tree = true}), "LightTable");
+        restir::LightTable::create(context(), {.maxLights = std::max(maxLights, count)}), "LightTable");
     gpu().submitAndWait([&](VkCommandBuffer cmd) {
         for (uint32_t i = 0; i < times; ++i) {
             gpu().check(table.upload(i % kSlots, lights), "LightTable::upload");

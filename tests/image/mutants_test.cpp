@@ -80,7 +80,7 @@ std::vector<Trial> trials() {
          64,
          alone(withDirections(with(kSpatial, pairwise, none), 2, 4)),
          {"misses_not_counted", "bsdf_density_without_count", "mixed_measures", "light_drawn_off_its_pdf",
-          "coin_reused"}},
+          "coin_reused", "each_source_by_itself", "tree_forgets_the_root"}},
         {"candidates, for the receiver",
          Stage::Ball,
          1,

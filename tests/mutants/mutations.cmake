@@ -24,7 +24,7 @@ restir_mutant(bsdf_share_without_visibility
 
 restir_mutant(bsdf_density_without_count "p_b instead of n_b p_b (section 2)"
     restir/di/candidates.glsl di/candidates
-    [[+ bsdfCandidates * pdf)]] [[+ pdf)]])
+    [[+ n.directions * pdf)]] [[+ pdf)]])
 
 restir_mutant(one_round_counted "directions are weighed against the lights of one round of several (section 2)"
     restir/di/candidates.glsl di/candidates
@@ -48,15 +48,26 @@ restir_mutant(receivers_density_missing "a point drawn for the receiver counts a
     [[    return chance * rsPdfLightUv(light, uv, incident, seen);]]
     [[    return chance;]])
 
+restir_mutant(each_source_by_itself "what the tree draws is weighed by the tree's probability alone, and the same with the table (section 2)"
+    restir/lights/source.glsl di/candidates
+    [[    if (!(source.treeShare > 0.0)) return selection;]]
+    [[    if (!(source.treeShare > 0.0)) return selection;
+    if (draw.treeChance < 0.0) return (1.0 - source.treeShare) * selection;]])
+
+restir_mutant(tree_forgets_the_root "the first choice of a descent is not in its probability (section 2)"
+    restir/lights/tree.glsl di/candidates
+    [[        chance *= (takesFirst ? first : second) / total;]]
+    [[        if (node > 0u) chance *= (takesFirst ? first : second) / total;]])
+
 restir_mutant(coin_reused "the random number that chose a light also decides whether it is kept (section 4, independent coins)"
     restir/di/candidates.glsl di/candidates
     [[        RsLightDraw draw = rsDrawLightFrom(source, receiver, s.normal, random);]]
     [[        RsRandom again = random;
         RsLightDraw draw = rsDrawLightFrom(source, receiver, s.normal, random);]]
     [[        float coin = rsNext(random);
-        if]]
+        float pdf]]
     [[        float coin = rsNext(again);
-        if]])
+        float pdf]])
 
 restir_mutant(survivors_counted "an empty fresh reservoir has confidence 0 (section 2, counting)"
     restir/di/candidates.glsl di/candidates

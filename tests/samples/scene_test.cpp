@@ -92,6 +92,12 @@ TEST(Scene, MarketHasThousandsOfLights) {
     EXPECT_FALSE(scene.views.empty());
 }
 
+TEST(Scene, CityHasAMillionLights) {
+    const SceneData scene = load("builtin:city");
+    EXPECT_EQ(countOf(scene).emissive, 1'040'384u);   // a LightTable takes 2^20
+    EXPECT_FALSE(scene.views.empty());
+}
+
 TEST(Scene, StreetCountsAreExact) {
     for (const Counts& wanted : {Counts{1, 0}, Counts{1, 1}, Counts{999, 13}, Counts{100'000, 2'000},
                                  Counts{54'321, 54'321}, Counts{65'537, 0}}) {

@@ -37,9 +37,11 @@ RsChosenLight rsResampleLights(RsSurface s, RsLightSource source, uint candidate
         uint uv = rsSampleLightUv(light, receiver, random, seen);
         RsDirect direct = rsDirect(s, light, uv);
         float coin = rsNext(random);
-        if (!(direct.target > 0.0)) continue;
-        float chance = rsLightChance(source, draw, light.selection, receiver, s.normal);
-        float pdf = rsPdfLight(chance, light, uv, direct.incident, seen);
+        float pdf = 0.0;
+        if (direct.target > 0.0) {
+            float chance = rsLightChance(source, draw, light.selection, receiver, s.normal);
+            pdf = rsPdfLight(chance, light, uv, direct.incident, seen);
+        }
         if (!(pdf > 0.0)) continue;
         float weight = direct.target / (float(candidates) * pdf);
         float sum = chosen.sum + weight;

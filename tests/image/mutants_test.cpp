@@ -66,6 +66,11 @@ restir::DiSettings alone(restir::DiSettings di) {
     return di;
 }
 
+restir::DiSettings byPower(restir::DiSettings di) {
+    di.treeShare = 0;
+    return di;
+}
+
 const restir::GiSettings kPaths{
     .mode = restir::IndirectMode::Restir, .bounces = 2, .temporal = false, .radius = 10};
 
@@ -78,9 +83,15 @@ std::vector<Trial> trials() {
          near,
          1,
          64,
-         alone(withDirections(with(kSpatial, pairwise, none), 2, 4)),
+         byPower(alone(withDirections(with(kSpatial, pairwise, none), 2, 4))),
          {"misses_not_counted", "bsdf_density_without_count", "mixed_measures", "light_drawn_off_its_pdf",
-          "coin_reused", "each_source_by_itself", "tree_forgets_the_root"}},
+          "coin_reused"}},
+        {"candidates, from both sources",
+         near,
+         1,
+         64,
+         alone(withDirections(with(kSpatial, pairwise, none), 2, 4)),
+         {"each_source_by_itself", "directions_forget_the_tree"}},
         {"candidates, for the receiver",
          Stage::Ball,
          1,

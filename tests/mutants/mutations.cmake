@@ -54,10 +54,10 @@ restir_mutant(each_source_by_itself "what the tree draws is weighed by the tree'
     [[    if (!(source.treeShare > 0.0)) return selection;
     if (draw.treeChance < 0.0) return (1.0 - source.treeShare) * selection;]])
 
-restir_mutant(tree_forgets_the_root "the first choice of a descent is not in its probability (section 2)"
-    restir/lights/tree.glsl di/candidates
-    [[        chance *= (takesFirst ? first : second) / total;]]
-    [[        if (node > 0u) chance *= (takesFirst ? first : second) / total;]])
+restir_mutant(directions_forget_the_tree "what a direction hits is weighed as if lights were drawn by power alone (section 2)"
+    restir/lights/source.glsl di/candidates
+    [[    return rsLightChance(source, RsLightDraw(light, -1.0), selection, receiver, normal);]]
+    [[    return selection;]])
 
 restir_mutant(coin_reused "the random number that chose a light also decides whether it is kept (section 4, independent coins)"
     restir/di/candidates.glsl di/candidates

@@ -36,10 +36,14 @@ bool hasDirection(const Light& light) {
 }
 
 bool isPlanar(LightKind kind) { return kind == LightKind::Triangle || kind == LightKind::Rectangle; }
-bool isRound(LightKind kind) { return kind == LightKind::Sphere || kind == LightKind::Capsule || kind == LightKind::Disk; }
+bool isRound(LightKind kind) {
+    return kind == LightKind::Sphere || kind == LightKind::Capsule || kind == LightKind::Disk;
+}
 bool isInfinite(LightKind kind) { return kind == LightKind::Directional || kind == LightKind::Environment; }
+bool isPunctual(LightKind kind) { return kind == LightKind::Point || kind == LightKind::Spot; }
 bool usesTexture(const Light& light) {
-    return light.texture != RS_NO_TEXTURE && (isPlanar(light.kind) || light.kind == LightKind::Environment);
+    const bool may = isPlanar(light.kind) || isPunctual(light.kind) || light.kind == LightKind::Environment;
+    return light.texture != RS_NO_TEXTURE && may;
 }
 
 const char* badPlanarField(const Light& light, const LightLimits& limits) {
@@ -51,7 +55,8 @@ const char* badPlanarField(const Light& light, const LightLimits& limits) {
     if (light.texture != RS_NO_TEXTURE && light.texture >= limits.textures)
         return "texture (at least ContextDesc::maxTextures)";
     const auto& uv = light.uv;
-    if (0 * uv[0][0] + 0 * uv[0][1] + 0 * uv[1][0] + 0 * uv[1][1] + 0 * uv[2][0] + 0 * uv[2][1] != 0) return "uv";
+    if (0 * uv[0][0] + 0 * uv[0][1] + 0 * uv[1][0] + 0 * uv[1][1] + 0 * uv[2][0] + 0 * uv[2][1] != 0)
+        return "uv";
     return nullptr;
 }
 
@@ -63,12 +68,24 @@ const char* badRoundField(const Light& light) {
     return nullptr;
 }
 
-const char* badEnvironmentField(const Light& light, const LightLimits& limits) {
-    if (limits.environment < 0) return "kind (LightTable::uploadEnvironment comes first)";
-    if (light.texture >= limits.textures) return "texture (an environment needs one, below ContextDesc::maxTextures)";
+const char* badRotation(const Light& light) {
     double squared = 0;
     for (float q : light.rotation) squared += double(q) * double(q);
     return std::abs(squared - 1) < 1e-3 ? nullptr : "rotation (not a unit quaternion)";
+}
+
+const char* badEnvironmentField(const Light& light, const LightLimits& limits) {
+    if (limits.environment < 0) return "kind (LightTable::uploadEnvironment comes first)";
+    if (light.texture >= limits.textures)
+        return "texture (an environment needs one, below ContextDesc::maxTextures)";
+    return badRotation(light);
+}
+
+const char* badProfileField(const Light& light, const LightLimits& limits) {
+    if (light.texture == RS_NO_TEXTURE) return nullptr;
+    if (light.texture >= limits.textures) return "texture (at least ContextDesc::maxTextures)";
+    if (!(std::abs(light.meanLuminance) <= kLargest)) return "meanLuminance (not finite, or above 1e30)";
+    return badRotation(light);
 }
 
 // Null if the light is good, else the field that is not.
@@ -90,13 +107,15 @@ const char* badField(const Light& light, const LightLimits& limits) {
     if (light.kind == LightKind::Spot &&
         !(light.innerCone >= 0 && light.innerCone < light.outerCone && light.outerCone <= 1.5708f))
         return "innerCone / outerCone";
-    return nullptr;
+    return badProfileField(light, limits);
 }
 
 // By which the light is chosen, times a factor of its kind and shape: restir/lights/power.glsl.
 float meanLuminance(const Light& light, const LightLimits& limits) {
-    if (isPlanar(light.kind) && light.meanLuminance >= 0) return light.meanLuminance;
-    if (light.kind == LightKind::Environment) return float(std::min(double(luminance(light.emission)) * limits.environment, 3e38));
+    const bool given = isPlanar(light.kind) || (isPunctual(light.kind) && usesTexture(light));
+    if (given && light.meanLuminance >= 0) return light.meanLuminance;
+    if (light.kind == LightKind::Environment)
+        return float(std::min(double(luminance(light.emission)) * limits.environment, 3e38));
     return luminance(light.emission);
 }
 
@@ -105,18 +124,30 @@ vec3 axisOf(const Light& light) { return toVec3(glm::normalize(toDouble(light.di
 
 void packDisk(const Light& light, gpu::RsPackedLight& packed) {
     const glm::dvec3 n = glm::normalize(toDouble(light.direction));
-    const glm::dvec3 x = glm::normalize(glm::cross(std::abs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
+    const glm::dvec3 x =
+        glm::normalize(glm::cross(std::abs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
     packed.edge1 = toVec3(double(light.radius) * x);
     packed.edge2 = toVec3(double(light.radius) * glm::cross(n, x));
 }
 
-void packEnvironment(const Light& light, gpu::RsPackedLight& packed) {
+glm::dmat3 axesOf(const Light& light) {
     const float* q = light.rotation;
-    const glm::dmat3 axes =
-        glm::mat3_cast(glm::normalize(glm::dquat(double(q[3]), double(q[0]), double(q[1]), double(q[2]))));
+    return glm::mat3_cast(glm::normalize(glm::dquat(double(q[3]), double(q[0]), double(q[1]), double(q[2]))));
+}
+
+void packEnvironment(const Light& light, gpu::RsPackedLight& packed) {
+    const glm::dmat3 axes = axesOf(light);
     packed.position = toVec3(axes[0]);
     packed.edge1 = toVec3(axes[1]);
     packed.edge2 = toVec3(axes[2]);
+}
+
+void packProfile(const Light& light, gpu::RsPackedLight& packed) {
+    const glm::dmat3 axes = axesOf(light);
+    const vec3 x = toVec3(axes[0]), z = toVec3(axes[2]);
+    packed.uv0 = {x.x, x.y};
+    packed.uv1 = {x.z, z.x};
+    packed.uv2 = {z.y, z.z};
 }
 
 // All but position, emission and texture. Returns RS_LIGHT_*.
@@ -130,10 +161,18 @@ uint32_t packShape(const Light& light, gpu::RsPackedLight& packed) {
             packed.uv1 = {light.uv[1][0], light.uv[1][1]};
             packed.uv2 = {light.uv[2][0], light.uv[2][1]};
             return light.kind == LightKind::Triangle ? RS_LIGHT_TRIANGLE : RS_LIGHT_RECTANGLE;
-        case LightKind::Capsule: packed.edge1 = minus(toVec3(light.vertex1), packed.position); [[fallthrough]];
-        case LightKind::Sphere: packed.edge2 = {light.radius, 0, 0}; return RS_LIGHT_CAPSULE;
-        case LightKind::Disk: packDisk(light, packed); return RS_LIGHT_DISK;
-        case LightKind::Point: packed.edge2 = {0, 0, light.range}; return RS_LIGHT_POINT;
+        case LightKind::Capsule:
+            packed.edge1 = minus(toVec3(light.vertex1), packed.position);
+            [[fallthrough]];
+        case LightKind::Sphere:
+            packed.edge2 = {light.radius, 0, 0};
+            return RS_LIGHT_CAPSULE;
+        case LightKind::Disk:
+            packDisk(light, packed);
+            return RS_LIGHT_DISK;
+        case LightKind::Point:
+            packed.edge2 = {0, 0, light.range};
+            return RS_LIGHT_POINT;
         case LightKind::Spot: {
             packed.edge1 = axisOf(light);
             const float outer = std::cos(light.outerCone);
@@ -147,7 +186,9 @@ uint32_t packShape(const Light& light, gpu::RsPackedLight& packed) {
             packed.edge2 = {float(std::min(2 * half * half, 1.0)), 0, 0};
             return RS_LIGHT_DIRECTIONAL;
         }
-        case LightKind::Environment: packEnvironment(light, packed); return RS_LIGHT_ENVIRONMENT;
+        case LightKind::Environment:
+            packEnvironment(light, packed);
+            return RS_LIGHT_ENVIRONMENT;
     }
     return RS_LIGHT_NONE;
 }
@@ -158,6 +199,7 @@ gpu::RsPackedLight packLight(const Light& light, const LightLimits& limits) {
     packed.emission = toVec3(light.emission);
     packed.selection = meanLuminance(light, limits);
     const uint32_t kind = packShape(light, packed);
+    if (isPunctual(light.kind) && usesTexture(light)) packProfile(light, packed);
     const bool sides = light.twoSided && (isPlanar(light.kind) || light.kind == LightKind::Disk);
     const uint32_t texture = usesTexture(light) ? light.texture : RS_LIGHT_NO_TEXTURE;
     packed.kindAndTexture = kind | (sides ? RS_LIGHT_TWO_SIDED : 0) | texture << RS_LIGHT_TEXTURE_SHIFT;
@@ -166,7 +208,8 @@ gpu::RsPackedLight packLight(const Light& light, const LightLimits& limits) {
 
 // Rays that miss everything find it.
 bool isBehindMisses(const Light& light) {
-    return light.kind == LightKind::Environment || (light.kind == LightKind::Directional && light.angularRadius > 0);
+    return light.kind == LightKind::Environment ||
+           (light.kind == LightKind::Directional && light.angularRadius > 0);
 }
 
 // Bits that are not set from `begin` on and below `end`.
@@ -200,8 +243,9 @@ Status LightPacker::pack(const MessageSink& sink, std::span<const Light> lights,
         found.infinite |= isInfinite(light.kind);
         if (isBehindMisses(light)) {
             if (behindMisses == RS_INFINITE_LIGHTS)
-                return refuse(sink, "restir: light %zu (id %u): more than %u lights at infinity have an extent", i, light.id,
-                              RS_INFINITE_LIGHTS);
+                return refuse(sink,
+                              "restir: light %zu (id %u): more than %u lights at infinity have an extent", i,
+                              light.id, RS_INFINITE_LIGHTS);
             found.found[behindMisses++] = light.id;
         }
         if (out) out[light.id - limits_.first] = packLight(light, limits_);

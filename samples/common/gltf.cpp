@@ -15,11 +15,12 @@ namespace samples {
 namespace {
 
 using gltf::Materials;
+using gltf::Profiles;
 using gltf::Reader;
 
-constexpr std::array kSupported = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                   "KHR_materials_specular", "KHR_mesh_quantization",
-                                   "KHR_texture_transform"};
+constexpr std::array kSupported = {
+    "EXT_lights_ies",         "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_specular", "KHR_mesh_quantization", "KHR_texture_transform"};
 // Without these the file's geometry cannot be read at all.
 constexpr std::array kGeometryExtensions = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                                             "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};
@@ -76,7 +77,11 @@ glm::vec3 direction(const glm::mat4& worldFromNode, const glm::vec3& axis) {
 class SceneReader {
 public:
     SceneReader(Reader& reader, SceneData& scene)
-        : reader_(reader), scene_(scene), materials_(reader, scene), meshes_(reader.model().meshes.size()) {}
+        : reader_(reader),
+          scene_(scene),
+          materials_(reader, scene),
+          profiles_(reader, scene),
+          meshes_(reader.model().meshes.size()) {}
 
     void read() {
         std::vector<Visit> stack;
@@ -122,6 +127,9 @@ private:
         if (node.camera >= 0) addView(node, world, field);
         if (node.extensions.contains("EXT_mesh_gpu_instancing"))
             reader_.warn("EXT_mesh_gpu_instancing is ignored");
+        if (const auto ies = node.extensions.find("EXT_lights_ies");
+            ies != node.extensions.end() && ies->second.IsObject())
+            profiles_.addLight(ies->second, world, field + ".EXT_lights_ies");
         const auto light = node.extensions.find("KHR_lights_punctual");
         if (light == node.extensions.end() || !light->second.IsObject()) return;
         const tinygltf::Value& index = light->second.Get("light");
@@ -203,6 +211,7 @@ private:
     Reader& reader_;
     SceneData& scene_;
     Materials materials_;
+    Profiles profiles_;
     std::vector<std::optional<uint32_t>> meshes_;
     size_t indexCount_ = 0;
 };

@@ -146,6 +146,21 @@ bool isIndexType(int componentType) {
 
 }   // namespace
 
+std::vector<uint8_t> Reader::uriBytes(const std::string& uri, const std::string& field) const {
+    std::vector<unsigned char> bytes;
+    std::string type;
+    if (uri.starts_with("data:")) {
+        // tinygltf knows the media types of buffers and images only.
+        const size_t data = uri.find(";base64,");
+        const std::string known =
+            "data:application/octet-stream" + (data == std::string::npos ? "" : uri.substr(data));
+        if (!tinygltf::DecodeDataURI(&bytes, type, known, 0, false))
+            fail(field, "its data cannot be decoded");
+        return bytes;
+    }
+    return readFile((std::filesystem::path(path_).parent_path() / uri).string());
+}
+
 struct Reader::Elements {
     const uint8_t* data = nullptr;   // null: all zeros
     size_t stride = 0, count = 0, componentSize = 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -31,6 +32,8 @@ public:
     size_t checkedIndex(int index, size_t count, const std::string& field) const;
     std::span<const uint8_t> viewBytes(int bufferView, const std::string& field) const;
     std::span<const uint8_t> imageBytes(size_t image) const;
+    // A file next to this one, or what a data URI holds.
+    std::vector<uint8_t> uriBytes(const std::string& uri, const std::string& field) const;
 
     size_t accessorCount(int accessor, const std::string& field) const;
     // `out` holds accessorCount * components floats; normalized integers are converted.
@@ -96,6 +99,25 @@ private:
     std::vector<TextureCoordinates> coordinates_;
     uint32_t defaultMaterial_ = RS_NO_TEXTURE;
     size_t blendMaterials_ = 0;
+};
+
+// EXT_lights_ies; a profile is read, and its texture made, when a light needs it.
+class Profiles {
+public:
+    Profiles(Reader& reader, SceneData& scene);
+    void addLight(const tinygltf::Value& instance, const glm::mat4& world, const std::string& field);
+
+private:
+    struct Profile {
+        uint32_t texture = 0;
+        float peak = 0, mean = 0;
+    };
+    const Profile& profile(int index, const std::string& field);
+
+    Reader& reader_;
+    SceneData& scene_;
+    std::vector<tinygltf::Value> lights_;
+    std::vector<std::optional<Profile>> profiles_;
 };
 
 Mesh convertMesh(Reader& reader, Materials& materials, size_t mesh);

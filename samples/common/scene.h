@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include <restir/lights.h>
 #include <restir/shared/scene.h>
@@ -58,6 +59,11 @@ struct PunctualLight {
     glm::vec3 intensity{1};                          // point, spot: candela-like W/sr; directional: W/m^2
     float range = 0;                                 // metres; 0: infinite
     float innerCone = 0, outerCone = 0.785398163f;   // radians from the axis
+    // Of a point light: texture of its photometric profile, as in restir::Light, with its mean over all
+    // directions.
+    uint32_t profile = RS_NO_TEXTURE;
+    float profileMean = 1;
+    glm::quat profileTurn{1, 0, 0, 0};
 };
 
 // The environment: what rays that leave the scene see, and a light.

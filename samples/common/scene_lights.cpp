@@ -46,6 +46,12 @@ restir::Light makePunctual(const PunctualLight& punctual, uint32_t id) {
     light.range = punctual.range;
     light.innerCone = punctual.innerCone;
     light.outerCone = punctual.outerCone;
+    if (punctual.profile == RS_NO_TEXTURE) return light;
+    light.texture = punctual.profile;
+    light.meanLuminance = luminance(punctual.intensity) * punctual.profileMean;
+    const glm::quat& turn = punctual.profileTurn;
+    const float rotation[] = {turn.x, turn.y, turn.z, turn.w};
+    std::copy(rotation, rotation + 4, light.rotation);
     return light;
 }
 
@@ -57,6 +63,9 @@ ReferenceLight makeReference(const PunctualLight& punctual) {
     light.direction = glm::normalize(punctual.direction);
     light.intensity = punctual.intensity;
     light.range = punctual.range;
+    light.profile = punctual.profile;
+    light.edge1 = punctual.profileTurn * glm::vec3(1, 0, 0);
+    light.edge2 = punctual.profileTurn * glm::vec3(0, 0, 1);
     if (punctual.kind == PunctualKind::Spot) {
         const float outer = std::cos(punctual.outerCone);
         light.coneScale = 1.0f / std::max(0.001f, std::cos(punctual.innerCone) - outer);
@@ -78,7 +87,8 @@ ReferenceLight makeReference(const restir::Light& shape) {
         case LightKind::Sphere:
         case LightKind::Capsule:
             light.kind = ReferenceKind::Capsule;
-            light.direction = shape.kind == LightKind::Sphere ? glm::vec3(0) : toGlm(shape.vertex1) - light.position;
+            light.direction =
+                shape.kind == LightKind::Sphere ? glm::vec3(0) : toGlm(shape.vertex1) - light.position;
             light.twoSided = 0;
             break;
         case LightKind::Rectangle:
@@ -95,7 +105,8 @@ ReferenceLight makeReference(const restir::Light& shape) {
             light.direction = glm::normalize(toGlm(shape.direction));
             light.radius = shape.angularRadius;
             break;
-        default: throw std::runtime_error("SceneData::shapes has a triangle, point, spot or environment light");
+        default:
+            throw std::runtime_error("SceneData::shapes has a triangle, point, spot or environment light");
     }
     return light;
 }
@@ -256,7 +267,8 @@ std::vector<ReferenceLight> referenceAt(const SceneLights& rest, const SceneStat
     std::vector<ReferenceLight> lights = rest.reference;
     for (size_t i = 0; i < lights.size(); ++i) {
         const LightSource& source = rest.sources[i];
-        if (source.kind == LightSource::Kind::Punctual) lights[i] = makeReference(state.punctual[source.from]);
+        if (source.kind == LightSource::Kind::Punctual)
+            lights[i] = makeReference(state.punctual[source.from]);
         if (source.kind == LightSource::Kind::Shape) lights[i] = makeReference(state.shapes[source.from]);
     }
     return lights;

@@ -18,6 +18,7 @@ struct ReferenceLight {
     float range = 0, coneScale = 0, coneOffset = 1, radius = 0;
     glm::vec3 edge1{0}, edge2{0};
     uint32_t twoSided = 0;
+    uint32_t profile = RS_NO_TEXTURE;   // of a local light, in axes of which edge1 is x and edge2 is z
 };
 
 // Where a light comes from.

@@ -1,6 +1,9 @@
 // Light sampling against closed forms.
 #include <array>
 #include <cmath>
+#include <numbers>
+
+#include <glm/gtc/quaternion.hpp>
 
 #include "light_run.h"
 #include "support/closed_form.h"
@@ -155,6 +158,33 @@ TEST_F(Lights, SpotLights) {
     spot.innerCone = 0;
     spot.outerCone = 1.5707963f;
     expectPunctual(spot);
+}
+
+// The stub texture answers (u, v, 1/2).
+TEST_F(Lights, ProfilesShineByDirection) {
+    Light light{.kind = LightKind::Point, .position = {0, 0, 2}, .emission = {5, 6, 7}, .texture = 3};
+    const glm::dquat turn = glm::normalize(glm::dquat(0.3, -0.5, 0.7, 0.2));
+    const auto check = [&](const char* kind) {
+        Light plain = light;
+        plain.texture = RS_NO_TEXTURE;
+        const std::vector<Result> bare = evaluate(plain, kReceivers), shaped = evaluate(light, kReceivers);
+        for (size_t i = 0; i < kReceivers.size(); ++i) {
+            const glm::dvec3 d =
+                glm::conjugate(turn) * glm::normalize(glm::dvec3(kReceivers[i]) - glm::dvec3(0, 0, 2));
+            const double u = std::atan2(d.y, d.x) / (2 * std::numbers::pi),
+                         v = std::acos(-d.z) / std::numbers::pi;
+            const glm::vec3 factor(u < 0 ? u + 1 : u, v, 0.5);
+            EXPECT_LE(glm::distance(shaped[i].irradiance, bare[i].irradiance * factor),
+                      1e-5f * glm::length(bare[i].irradiance))
+                << kind << ", receiver " << i;
+        }
+    };
+    const double rotation[] = {turn.x, turn.y, turn.z, turn.w};
+    for (int k = 0; k < 4; ++k) light.rotation[k] = float(rotation[k]);
+    check("point");
+    light.kind = LightKind::Spot;
+    light.outerCone = 1.2f;
+    check("spot");
 }
 
 TEST_F(Lights, DirectionalLights) {

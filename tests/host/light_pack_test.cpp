@@ -96,6 +96,9 @@ std::vector<BadLight> badLights() {
         {"texture", K::Environment, [](Light& l) { l.texture = RS_NO_TEXTURE; }},
         {"rotation", K::Environment, [](Light& l) { l.rotation[1] = 0.5f; }},
         {"rotation", K::Environment, [](Light& l) { l.rotation[3] = kNan; }},
+        {"texture", K::Point, [](Light& l) { l.texture = kMaxTextures; }},
+        {"rotation", K::Spot, [](Light& l) { l.texture = 1, l.rotation[0] = 0.5f; }},
+        {"meanLuminance", K::Point, [](Light& l) { l.texture = 1, l.meanLuminance = kNan; }},
     };
 }
 
@@ -116,7 +119,8 @@ TEST_F(LightPack, IgnoresFieldsOfOtherKinds) {
     sun.position[0] = sun.range = sun.vertex1[0] = sun.meanLuminance = kNan;
     Light bulb = of(LightKind::Point, 1);
     bulb.direction[0] = bulb.innerCone = bulb.uv[0][0] = bulb.radius = kNan;
-    bulb.texture = kMaxTextures;
+    bulb.meanLuminance = bulb.rotation[0] = kNan;   // it has no profile
+    sun.texture = kMaxTextures;
     Light ball = of(LightKind::Sphere, 2);
     ball.direction[0] = ball.vertex1[0] = ball.rotation[0] = ball.angularRadius = kNan;
     EXPECT_EQ(pack({sun, bulb, ball}), Status::Ok) << said_;
@@ -154,7 +158,9 @@ TEST_F(LightPack, GapsInTheIdsHoldNoLight) {
     ASSERT_EQ(pack({triangle(6), triangle(2)}), Status::Ok);
     ASSERT_EQ(packed_.count, 7u);
     for (uint32_t id = 0; id < kMaxLights; ++id) {
-        const uint32_t expected = id > 6 ? RS_LIGHT_POINT : id == 2 || id == 6 ? RS_LIGHT_TRIANGLE : RS_LIGHT_NONE;
+        const uint32_t expected = id > 6               ? RS_LIGHT_POINT
+                                  : id == 2 || id == 6 ? RS_LIGHT_TRIANGLE
+                                                       : RS_LIGHT_NONE;
         EXPECT_EQ(at(id).kindAndTexture & RS_LIGHT_KIND_MASK, expected) << id;
     }
     ASSERT_EQ(pack({triangle(63)}), Status::Ok);

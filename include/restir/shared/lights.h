@@ -15,14 +15,17 @@ RS_SHARED_BEGIN
 //   spot         position         unit direction of travel   x = angle scale, y = angle offset, z = range
 //   directional                   unit direction of travel   x = 1 - cos(angular radius)
 //   environment  the map's x, y and z axes in the world
+// A texture of a point or spot light is its profile, whose x axis is in uv0 and uv1.x, its z axis in uv1.y
+// and uv2.
 struct RsPackedLight {
     vec3 position;
-    uint kindAndTexture;  // bits 0..3 kind, bit 4 two-sided, bits 5..31 emission texture (RS_LIGHT_NO_TEXTURE)
+    uint kindAndTexture;   // bits 0..3 kind, bit 4 two-sided, bits 5..31 emission texture
+                           // (RS_LIGHT_NO_TEXTURE)
     vec3 edge1;
     vec3 edge2;
-    vec3 emission;        // radiance; point, spot: radiant intensity; directional: irradiance; environment: factor
-    float selection;      // probability with which the alias table draws this light, exactly
-    vec2 uv0;             // texture coordinates of the three vertices, or corners
+    vec3 emission;   // radiance; point, spot: radiant intensity; directional: irradiance; environment: factor
+    float selection;   // probability with which the alias table draws this light, exactly
+    vec2 uv0;          // texture coordinates of the three vertices, or corners
     vec2 uv1;
     vec2 uv2;
 };
@@ -33,7 +36,8 @@ struct RsAliasEntry {
     uint alias;
 };
 
-// One texel of the environment map: its column of an alias table over all texels, and its probability to be drawn.
+// One texel of the environment map: its column of an alias table over all texels, and its probability to be
+// drawn.
 struct RsEnvironmentTexel {
     uint threshold;
     uint alias;
@@ -57,8 +61,8 @@ RS_SHARED_END
 #define RS_LIGHT_TEXTURE_SHIFT 5u
 #define RS_LIGHT_NO_TEXTURE 0x07ffffffu
 
-#define RS_LIGHT_LARGEST 1e30    // of an emission: products with distances, areas and counts stay finite
-#define RS_LIGHT_LONGEST 1e9     // of an edge or a radius, metres, likewise
+#define RS_LIGHT_LARGEST 1e30   // of an emission: products with distances, areas and counts stay finite
+#define RS_LIGHT_LONGEST 1e9    // of an edge or a radius, metres, likewise
 
 // Lights at infinity with an extent, which rays that miss everything find: an environment and suns.
 #define RS_INFINITE_LIGHTS 4u

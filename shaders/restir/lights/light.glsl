@@ -116,6 +116,13 @@ struct RsSeenPoint {
     vec2 coordinates;    // of the texture
 };
 
+// Where the profile of a point or spot light has the light that travels along `direction`.
+vec2 rsProfileUv(RsPackedLight light, vec3 direction) {
+    vec3 x = vec3(light.uv0, light.uv1.x), z = vec3(light.uv1.y, light.uv2);
+    vec3 d = vec3(dot(direction, x), dot(direction, cross(z, x)), dot(direction, z));
+    return vec2(fract(rsAtan2(d.y, d.x) / (2.0 * RS_PI)), rsAtan2(length(d.xy), -d.z) / RS_PI);
+}
+
 RsSeenPoint rsSeeAtInfinity(RsPackedLight light, vec2 uv) {
     if (rsLightKind(light) == RS_LIGHT_ENVIRONMENT) {
         float solidAngle = rsEnvironmentSolidAngle(uv);
@@ -157,6 +164,7 @@ RsSeenPoint rsSeePoint(RsPackedLight light, uint packedUv, vec3 receiver) {
         float cone = clamp(-dot(light.edge1, seen.direction) * light.edge2.x + light.edge2.y, 0.0, 1.0);
         seen.factor *= cone * cone;
     }
+    if (rsIsTextured(light.kindAndTexture)) seen.coordinates = rsProfileUv(light, -seen.direction);
     return seen;
 }
 

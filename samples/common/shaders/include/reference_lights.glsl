@@ -18,6 +18,7 @@ struct ReferenceLight {
     vec3 edge1;        // rectangle
     vec3 edge2;
     uint twoSided;
+    uint profile;      // texture of a point or spot light, edge1 and edge2 its x and z axes
 };
 layout(set = 1, binding = 3, scalar) readonly buffer ReferenceLights { ReferenceLight referenceLights[]; };
 
@@ -97,6 +98,12 @@ LightSample samplePunctual(ReferenceLight light, vec2 random, vec3 from) {
     float cosine = -dot(light.direction, result.direction);
     float cone = clamp(cosine * light.coneScale + light.coneOffset, 0.0, 1.0);
     result.radiance = light.intensity * window * cone * cone / distanceSquared;
+    if (light.profile != RS_NO_TEXTURE) {
+        vec3 travel = -result.direction, y = cross(light.edge2, light.edge1);
+        float vertical = acos(clamp(-dot(travel, light.edge2), -1.0, 1.0));
+        float horizontal = atan(dot(travel, y), dot(travel, light.edge1));
+        result.radiance *= sceneTexture(light.profile, vec2(horizontal / (2.0 * kSkyPi), vertical / kSkyPi)).rgb;
+    }
     return result;
 }
 

@@ -12,7 +12,8 @@ namespace restir {
 namespace {
 
 constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-constexpr VkAccessFlags2 kRead = VK_ACCESS_2_SHADER_STORAGE_READ_BIT, kWrite = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+constexpr VkAccessFlags2 kRead = VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
+                         kWrite = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
 
 VkResult makePool(LightTable::Impl& t) noexcept {
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * RS_TABLE_BIND_COUNT};
@@ -20,7 +21,8 @@ VkResult makePool(LightTable::Impl& t) noexcept {
                                           .maxSets = 2,
                                           .poolSizeCount = 1,
                                           .pPoolSizes = &size};
-    return orNull(t.device->functions.vkCreateDescriptorPool(t.device->info.device, &info, t.device->allocator(), &t.pool),
+    return orNull(t.device->functions.vkCreateDescriptorPool(t.device->info.device, &info,
+                                                             t.device->allocator(), &t.pool),
                   t.pool);
 }
 
@@ -48,7 +50,8 @@ void writeSet(const LightTable::Impl& t, VkDescriptorSet set, TableBuffer lights
                      .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                      .pBufferInfo = &buffers[i]};
     }
-    t.device->functions.vkUpdateDescriptorSets(t.device->info.device, RS_TABLE_BIND_COUNT, writes, 0, nullptr);
+    t.device->functions.vkUpdateDescriptorSets(t.device->info.device, RS_TABLE_BIND_COUNT, writes, 0,
+                                               nullptr);
 }
 
 }   // namespace
@@ -71,11 +74,13 @@ VkResult makeBuildSets(LightTable::Impl& t) noexcept {
         return vk;
     writeSet(t, t.sets[0], TableBuffer::Lights0);
     writeSet(t, t.sets[1], TableBuffer::Lights1);
-    for (VkDescriptorSet set : t.sets) t.device->name(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleValue(set), "light table");
+    for (VkDescriptorSet set : t.sets)
+        t.device->name(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleValue(set), "light table");
     return VK_SUCCESS;
 }
 
-void dispatchOfBuild(const LightTable::Impl& t, VkCommandBuffer cmd, const char* name, uint32_t groups, uint32_t rows) noexcept {
+void dispatchOfBuild(const LightTable::Impl& t, VkCommandBuffer cmd, const char* name, uint32_t groups,
+                     uint32_t rows) noexcept {
     const Functions& f = t.device->functions;
     const Label label(f, cmd, name);
     f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelineOf(name));
@@ -94,7 +99,8 @@ void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, const 
                                      .blocks = blocks,
                                      .meshLights = meshLights,
                                      .meshes = t.meshes.count};
-    f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &t.sets[t.generation % 2], 0, nullptr);
+    f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &t.sets[t.generation % 2], 0,
+                              nullptr);
     f.vkCmdPushConstants(cmd, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
     const auto pass = [&](const char* name, uint32_t groups, uint32_t rows = 1) {
         t.stopwatch.start(cmd, slot, name);
@@ -102,8 +108,10 @@ void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, const 
         t.stopwatch.stop(cmd, slot);
     };
     if (input.scene) {
-        f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, RS_SET_SCENE, 1, &input.scene, 0, nullptr);
-        if (input.newMeshes) pass("lights.means", RS_TABLE_ROW, (meshLights + RS_TABLE_ROW - 1) / RS_TABLE_ROW);
+        f.vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout, RS_SET_SCENE, 1, &input.scene,
+                                  0, nullptr);
+        if (input.newMeshes)
+            pass("lights.means", RS_TABLE_ROW, (meshLights + RS_TABLE_ROW - 1) / RS_TABLE_ROW);
         pass("lights.meshes", uint32_t(aliasBlocks(meshLights)));
     }
     if (t.recorded.infinite || t.hasTree) pass("lights.extent", blocks);

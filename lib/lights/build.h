@@ -22,8 +22,9 @@ struct BuildInput {
 void dispatchOfBuild(const LightTable::Impl& table, VkCommandBuffer cmd, const char* name, uint32_t groups,
                      uint32_t rows = 1) noexcept;
 
-// The uploaded lights are there and the state is cleared, both visible to shaders. The table is readable in compute
-// shaders afterwards.
-void recordBuild(LightTable::Impl& table, VkCommandBuffer cmd, uint32_t slot, const BuildInput& input) noexcept;
+// The uploaded lights are there and the state is cleared, both visible to shaders. The table is readable in
+// compute shaders afterwards.
+void recordBuild(LightTable::Impl& table, VkCommandBuffer cmd, uint32_t slot,
+                 const BuildInput& input) noexcept;
 
 }   // namespace restir

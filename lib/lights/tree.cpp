@@ -17,10 +17,11 @@ VkDeviceSize treeCountBytes(const LightTableDesc& desc) noexcept {
     return (desc.tree ? aliasBlocks(desc.maxLights) : 1) * RS_TABLE_DIGITS * sizeof(uint32_t);
 }
 
-void recordTree(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, gpu::RsTablePass constants) noexcept {
+void recordTree(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot,
+                gpu::RsTablePass constants) noexcept {
     const auto push = [&] {
-        t.device->functions.vkCmdPushConstants(cmd, t.context->tablePipelineLayout, VK_SHADER_STAGE_COMPUTE_BIT, 0,
-                                               sizeof constants, &constants);
+        t.device->functions.vkCmdPushConstants(cmd, t.context->tablePipelineLayout,
+                                               VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
     };
     push();
     t.stopwatch.start(cmd, slot, "lights.sort");

@@ -25,7 +25,8 @@ std::vector<Geometry> makeWindows(uint32_t kind, const std::vector<uint32_t>& ma
         for (uint32_t i = 0; i < floorsOf(kind) * kColumns; ++i) {
             const float x = (static_cast<float>(i % kColumns) + 0.2f) * pitch - kTower / 2;
             const float y = (static_cast<float>(i / kColumns) + 0.3f) * kFloor;
-            const uint32_t choice = hash(i + 7919 * side + 104729 * kind) % static_cast<uint32_t>(windows.size());
+            const uint32_t choice =
+                hash(i + 7919 * side + 104729 * kind) % static_cast<uint32_t>(windows.size());
             addPatch(windows[choice], {.origin = turn * glm::vec3{x, y, kTower / 2 + 0.05f},
                                        .u = turn * glm::vec3{0.6f * pitch, 0, 0},
                                        .v = {0, 0.5f * kFloor, 0}});
@@ -37,33 +38,41 @@ std::vector<Geometry> makeWindows(uint32_t kind, const std::vector<uint32_t>& ma
 void addTowers(SceneData& scene) {
     std::vector<uint32_t> lights;
     for (uint32_t i = 0; i < 2 * kLightColors.size(); ++i)   // bright ones and dim ones
-        lights.push_back(addMaterial(scene, {.color = glm::vec3{0.2f},
-                                             .emission = hex(kLightColors[i / 2]) * (i % 2 ? 6.0f : 0.8f)}));
+        lights.push_back(addMaterial(
+            scene, {.color = glm::vec3{0.2f}, .emission = hex(kLightColors[i / 2]) * (i % 2 ? 6.0f : 0.8f)}));
     const uint32_t wall = addMaterial(scene, {.color = hex(0x8c8780), .roughness = 0.6f});
     std::vector<uint32_t> towers;
     for (uint32_t kind = 0; kind < kTowerKinds; ++kind) {
         std::vector<Geometry> geometries = makeWindows(kind, lights);
         Geometry walls{.material = wall};
-        addBox(walls, {-kTower / 2, 0, -kTower / 2}, {kTower / 2, static_cast<float>(floorsOf(kind)) * kFloor + 1, kTower / 2});
+        addBox(walls, {-kTower / 2, 0, -kTower / 2},
+               {kTower / 2, static_cast<float>(floorsOf(kind)) * kFloor + 1, kTower / 2});
         geometries.push_back(std::move(walls));
         towers.push_back(addMesh(scene, std::move(geometries)));
     }
     for (uint32_t i = 0; i < kBlocks * kBlocks; ++i) {
         const glm::vec3 at{(static_cast<float>(i % kBlocks) + 0.5f) * kBlock - kHalf, 0,
                            (static_cast<float>(i / kBlocks) + 0.5f) * kBlock - kHalf};
-        addInstance(scene, towers[i * 5 % kTowerKinds], place(at));   // each kind as often, so that the number of lights is known
+        addInstance(scene, towers[i * 5 % kTowerKinds],
+                    place(at));   // each kind as often, so that the number of lights is known
     }
 }
 
 void addStreets(SceneData& scene) {
     const uint32_t asphalt = addMaterial(scene, {.color = hex(0x55555a), .roughness = 0.45f});
     Geometry ground{.material = asphalt};
-    addPatch(ground, {.origin = {-kHalf, 0, kHalf}, .u = {2 * kHalf, 0, 0}, .v = {0, 0, -2 * kHalf}, .columns = 64, .rows = 64});
+    addPatch(ground, {.origin = {-kHalf, 0, kHalf},
+                      .u = {2 * kHalf, 0, 0},
+                      .v = {0, 0, -2 * kHalf},
+                      .columns = 64,
+                      .rows = 64});
     addInstance(scene, addMesh(scene, {std::move(ground)}));
-    Geometry lamps{.material = addMaterial(scene, {.color = glm::vec3{0.2f}, .emission = hex(0xffb45e) * 250.0f})};
+    Geometry lamps{.material =
+                       addMaterial(scene, {.color = glm::vec3{0.2f}, .emission = hex(0xffb45e) * 250.0f})};
     for (uint32_t i = 0; i < kBlocks * kBlocks * kLampsPerBlock; ++i) {
         const uint32_t block = i / kLampsPerBlock, lamp = i % kLampsPerBlock;
-        const glm::vec3 corner{static_cast<float>(block % kBlocks) * kBlock - kHalf, 6, static_cast<float>(block / kBlocks) * kBlock - kHalf};
+        const glm::vec3 corner{static_cast<float>(block % kBlocks) * kBlock - kHalf, 6,
+                               static_cast<float>(block / kBlocks) * kBlock - kHalf};
         const float along = (static_cast<float>(lamp / 2) + 0.5f) * kBlock / 2;
         addOctahedron(lamps, corner + (lamp % 2 ? glm::vec3{along, 0, 7} : glm::vec3{7, 0, along}), 0.2f);
     }

@@ -11,7 +11,8 @@ Profiles::Profiles(Reader& reader, SceneData& scene) : reader_(reader), scene_(s
     const auto found = extensions.find("EXT_lights_ies");
     if (found == extensions.end() || !found->second.Has("lights")) return;
     const tinygltf::Value& lights = found->second.Get("lights");
-    for (size_t i = 0; lights.IsArray() && i < lights.ArrayLen(); ++i) lights_.push_back(lights.Get(static_cast<int>(i)));
+    for (size_t i = 0; lights.IsArray() && i < lights.ArrayLen(); ++i)
+        lights_.push_back(lights.Get(static_cast<int>(i)));
     profiles_.resize(lights_.size());
 }
 
@@ -21,7 +22,8 @@ const Profiles::Profile& Profiles::profile(int index, const std::string& field) 
     const std::string name = "extensions.EXT_lights_ies.lights[" + std::to_string(i) + "]";
     std::string text;
     if (lights_[i].Has("uri") && lights_[i].Get("uri").IsString()) {
-        const std::vector<uint8_t> bytes = reader_.uriBytes(lights_[i].Get("uri").Get<std::string>(), name + ".uri");
+        const std::vector<uint8_t> bytes =
+            reader_.uriBytes(lights_[i].Get("uri").Get<std::string>(), name + ".uri");
         text.assign(bytes.begin(), bytes.end());
     } else {
         const tinygltf::Value& view = lights_[i].Get("bufferView");
@@ -30,8 +32,10 @@ const Profiles::Profile& Profiles::profile(int index, const std::string& field) 
     }
     try {
         PhotometricProfile read = readIes(text);
-        profiles_[i] = {.texture = static_cast<uint32_t>(scene_.textures.size()), .peak = read.peak, .mean = read.mean};
-        scene_.textures.push_back({.image = static_cast<uint32_t>(scene_.images.size()), .wrapV = Wrap::Clamp});
+        profiles_[i] = {
+            .texture = static_cast<uint32_t>(scene_.textures.size()), .peak = read.peak, .mean = read.mean};
+        scene_.textures.push_back(
+            {.image = static_cast<uint32_t>(scene_.images.size()), .wrapV = Wrap::Clamp});
         scene_.images.push_back(std::move(read.image));
     } catch (const std::runtime_error& error) {
         reader_.fail(name, error.what());
@@ -46,7 +50,8 @@ void Profiles::addLight(const tinygltf::Value& instance, const glm::mat4& world,
     glm::vec3 color{1};
     if (const tinygltf::Value& given = instance.Get("color"); given.IsArray() && given.ArrayLen() == 3)
         for (int i = 0; i < 3; ++i) color[i] = static_cast<float>(given.Get(i).GetNumberAsDouble());
-    const double multiplier = instance.Has("multiplier") ? instance.Get("multiplier").GetNumberAsDouble() : 1.0;
+    const double multiplier =
+        instance.Has("multiplier") ? instance.Get("multiplier").GetNumberAsDouble() : 1.0;
     light.intensity = glm::clamp(color, 0.0f, 1.0f) * static_cast<float>(multiplier) * profile.peak;
     if (!(multiplier >= 0) || !(light.intensity.x + light.intensity.y + light.intensity.z < 1e30f))
         reader_.fail(field, "multiplier or color negative or not finite");

@@ -37,7 +37,8 @@ public:
     size_t count(const char* name) {
         const double value = next(name);
         if (!(value >= 1 && value <= double(kMostAngles) && value == std::floor(value)))
-            fail(std::string(name) + " is " + std::to_string(value) + ", must be 1 to " + std::to_string(kMostAngles));
+            fail(std::string(name) + " is " + std::to_string(value) + ", must be 1 to " +
+                 std::to_string(kMostAngles));
         return static_cast<size_t>(value);
     }
     std::vector<double> ascending(size_t count, const char* name) {
@@ -57,7 +58,8 @@ private:
 std::string_view takeTilt(std::string_view& text) {
     constexpr std::string_view key = "TILT=";
     size_t at = text.find(key);
-    while (at != std::string_view::npos && at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r') at = text.find(key, at + 1);
+    while (at != std::string_view::npos && at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r')
+        at = text.find(key, at + 1);
     if (at == std::string_view::npos) fail("no line TILT=");
     text.remove_prefix(at + key.size());
     std::string_view tilt = text.substr(0, text.find_first_of("\r\n"));
@@ -104,9 +106,11 @@ double Web::at(double h, double v) const {
     const auto [i, x] = find(horizontal, h);
     const auto [j, y] = find(vertical, v);
     const auto value = [&](size_t di, size_t dj) {
-        return candela[std::min(i + di, horizontal.size() - 1) * vertical.size() + std::min(j + dj, vertical.size() - 1)];
+        return candela[std::min(i + di, horizontal.size() - 1) * vertical.size() +
+                       std::min(j + dj, vertical.size() - 1)];
     };
-    return (1 - x) * ((1 - y) * value(0, 0) + y * value(0, 1)) + x * ((1 - y) * value(1, 0) + y * value(1, 1));
+    return (1 - x) * ((1 - y) * value(0, 0) + y * value(0, 1)) +
+           x * ((1 - y) * value(1, 0) + y * value(1, 1));
 }
 
 Web readWeb(Numbers& numbers) {
@@ -117,19 +121,22 @@ Web readWeb(Numbers& numbers) {
     const size_t verticals = numbers.count("the number of vertical angles");
     const size_t horizontals = numbers.count("the number of horizontal angles");
     if (const double type = numbers.next("the photometric type"); type != 1)
-        fail("photometric type " + std::to_string(int(std::clamp(type, -99.0, 99.0))) + " is not supported, only C, 1");
+        fail("photometric type " + std::to_string(int(std::clamp(type, -99.0, 99.0))) +
+             " is not supported, only C, 1");
     for (const char* name : {"units", "width", "length", "height"}) numbers.next(name);
     const double ballast = numbers.next("the ballast factor");
     for (const char* name : {"the file generation type", "input watts"}) numbers.next(name);
     web.vertical = numbers.ascending(verticals, "vertical angles");
     web.horizontal = numbers.ascending(horizontals, "horizontal angles");
     const double first = web.horizontal.front(), last = web.horizontal.back();
-    const bool known = horizontals == 1 || (first == 0 && (last == 90 || last == 180 || last == 360)) || (first == 90 && last == 270);
+    const bool known = horizontals == 1 || (first == 0 && (last == 90 || last == 180 || last == 360)) ||
+                       (first == 90 && last == 270);
     if (!known) fail("horizontal angles run from " + std::to_string(first) + " to " + std::to_string(last));
     if (web.vertical.front() < 0 || web.vertical.back() > 180) fail("vertical angles are beyond 0 to 180");
     for (size_t i = 0; i < verticals * horizontals; ++i) {
         web.candela.push_back(numbers.next("candela values") * multiplier * ballast);
-        if (!(web.candela.back() >= 0 && web.candela.back() < 1e12)) fail("a candela value is negative or beyond 1e12");
+        if (!(web.candela.back() >= 0 && web.candela.back() < 1e12))
+            fail("a candela value is negative or beyond 1e12");
     }
     return web;
 }

@@ -100,8 +100,10 @@ BuiltTable MeshTable::build() {
     gpu().submitAndWait(
         [&](VkCommandBuffer cmd) { gpu().check(table_.record(cmd, 0, &scene_), "LightTable::record"); });
     ++builds_;
-    return {read<restir::gpu::RsPackedLight>(builds_ % 2 ? "lights 1" : "lights 0", desc_.maxLights),
-            read<restir::gpu::RsAliasEntry>("light alias table", std::bit_ceil(std::max(desc_.maxLights, 2u))), {}};
+    return {
+        read<restir::gpu::RsPackedLight>(builds_ % 2 ? "lights 1" : "lights 0", desc_.maxLights),
+        read<restir::gpu::RsAliasEntry>("light alias table", std::bit_ceil(std::max(desc_.maxLights, 2u))),
+        {}};
 }
 
 }   // namespace tests

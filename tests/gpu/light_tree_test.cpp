@@ -1,4 +1,5 @@
-// The tree that LightTable builds over its lights: what its nodes say, and that it draws lights with the chance that it says.
+// The tree that LightTable builds over its lights: what its nodes say, and that it draws lights with the
+// chance that it says.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -46,7 +47,8 @@ struct Node {
 };
 Node nodeOf(const BuiltTable& table, size_t i) {
     const uvec4& bits = table.tree[i];
-    return {{double(std::bit_cast<float>(bits.x)), double(std::bit_cast<float>(bits.y)), double(std::bit_cast<float>(bits.z))},
+    return {{double(std::bit_cast<float>(bits.x)), double(std::bit_cast<float>(bits.y)),
+             double(std::bit_cast<float>(bits.z))},
             double(std::bit_cast<float>(bits.w >> 16 << 15)),
             double(std::bit_cast<float>((bits.w & 0xffff) << 15))};
 }
@@ -61,7 +63,8 @@ struct Subtree {
     size_t slot = 0, leaves = 0;
 };
 // All slots, children before their parents, checked on the way; `order`: of the lights.
-void walk(const BuiltTable& table, uint32_t node, std::vector<Subtree>& subtrees, std::vector<uint32_t>& order, int depth = 0) {
+void walk(const BuiltTable& table, uint32_t node, std::vector<Subtree>& subtrees,
+          std::vector<uint32_t>& order, int depth = 0) {
     const size_t columns = columnsOf(table);
     ASSERT_LT(node, columns - 1);
     ASSERT_LT(depth, 64);
@@ -82,8 +85,9 @@ void walk(const BuiltTable& table, uint32_t node, std::vector<Subtree>& subtrees
 
 // All kinds, from a speck to a street, some of them black, and every third id left out.
 std::vector<Light> mixedLights(uint32_t count) {
-    constexpr LightKind kinds[] = {LightKind::Triangle, LightKind::Point,   LightKind::Spot, LightKind::Directional,
-                                   LightKind::Sphere,   LightKind::Capsule, LightKind::Disk, LightKind::Rectangle};
+    constexpr LightKind kinds[] = {LightKind::Triangle,    LightKind::Point,    LightKind::Spot,
+                                   LightKind::Directional, LightKind::Sphere,   LightKind::Capsule,
+                                   LightKind::Disk,        LightKind::Rectangle};
     std::mt19937 random(count);
     std::uniform_real_distribution<float> unit(-1, 1);
     std::vector<Light> lights;
@@ -136,11 +140,13 @@ TEST_F(LightTree, HoldsEveryLightOnce) {
         const Node wanted = joined(leaves), root = joined({nodeOf(table, 0), nodeOf(table, 1)});
         EXPECT_NEAR(root.power, wanted.power, 0.02 * wanted.power) << count;
         EXPECT_NEAR(root.spread, wanted.spread, 0.02 * wanted.spread) << count;
-        for (int k = 0; k < 3; ++k) EXPECT_NEAR(root.mean[k], wanted.mean[k], 0.02 * std::sqrt(wanted.spread)) << count;
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(root.mean[k], wanted.mean[k], 0.02 * std::sqrt(wanted.spread)) << count;
     }
 }
 
-// Of a lattice, in whatever order its ids are, every cube is a subtree; lights in one place keep the order of their ids.
+// Of a lattice, in whatever order its ids are, every cube is a subtree; lights in one place keep the order of
+// their ids.
 TEST_F(LightTree, FollowsTheCurve) {
     std::vector<Light> lattice, heap;
     for (uint32_t i = 0; i < 4096; ++i) {
@@ -157,7 +163,8 @@ TEST_F(LightTree, FollowsTheCurve) {
     for (const auto& [slot, leaves] : subtrees)
         for (double edge : {1.0, 2.0, 4.0, 8.0})
             if (leaves == size_t(edge * edge * edge)) {
-                EXPECT_NEAR(nodeOf(table, slot).spread, 3 * (edge * edge - 1) / 12, 0.02 * edge * edge) << "slot " << slot;
+                EXPECT_NEAR(nodeOf(table, slot).spread, 3 * (edge * edge - 1) / 12, 0.02 * edge * edge)
+                    << "slot " << slot;
                 ++cubes;
             }
     EXPECT_EQ(cubes, 4096u + 512 + 64 + 8);
@@ -205,28 +212,38 @@ TEST_F(LightTree, DrawsWithTheChanceItSays) {
 TEST_F(LightTree, FindsTheLightNearby) {
     std::vector<Light> lights;
     for (uint32_t i = 0; i < 10'000; ++i)
-        lights.push_back({.id = i, .kind = LightKind::Point, .position = {float(i % 100) * 10, float(i / 100) * 10, 0}});
+        lights.push_back(
+            {.id = i, .kind = LightKind::Point, .position = {float(i % 100) * 10, float(i / 100) * 10, 0}});
     const BuiltTable table = tests::build(lights);
-    const std::vector<Draw> draws = run(table, {.job = 1, .count = 10'000, .invocations = 10'000, .receiver = {500, 500, 1}, .normal = {0, 0, 0}});
+    const std::vector<Draw> draws = run(
+        table,
+        {.job = 1, .count = 10'000, .invocations = 10'000, .receiver = {500, 500, 1}, .normal = {0, 0, 0}});
     EXPECT_GT(draws[50 * 100 + 50].again, 200e-4f);
 }
 
-// No lights, none that shines, none that is somewhere, all in one place, powers of forty decades, places beyond reason.
+// No lights, none that shines, none that is somewhere, all in one place, powers of forty decades, places
+// beyond reason.
 TEST_F(LightTree, WhatIsNotThereIsNotDrawn) {
     const auto draws = [](const std::vector<Light>& lights) {
         const BuiltTable table = tests::build(lights);
-        return run(table, {.job = 0, .seed = 1, .count = uint32_t(table.lights.size()), .invocations = 4096,
-                           .receiver = {0, 0, 0}, .normal = {0, 1, 0}});
+        return run(table, {.job = 0,
+                           .seed = 1,
+                           .count = uint32_t(table.lights.size()),
+                           .invocations = 4096,
+                           .receiver = {0, 0, 0},
+                           .normal = {0, 1, 0}});
     };
     const Light black{.id = 0, .kind = LightKind::Point, .emission = {0, 0, 0}};
     const Light sun{.id = 0, .kind = LightKind::Directional};
     for (const Light& light : {black, sun})
         for (const Draw& draw : draws({light})) ASSERT_TRUE(draw.light == kNone && draw.chance == 0);
     std::vector<Light> one;
-    for (uint32_t i = 0; i < 100; ++i) one.push_back({.id = i, .kind = LightKind::Point});   // around the receiver
+    for (uint32_t i = 0; i < 100; ++i)
+        one.push_back({.id = i, .kind = LightKind::Point});   // around the receiver
     for (const Draw& draw : draws(one)) ASSERT_NEAR(draw.chance, 0.01f, 1e-4f);
-    const std::vector<Light> decades{{.id = 0, .kind = LightKind::Point, .position = {0, 3, 0}, .emission = {1e-20f, 1e-20f, 1e-20f}},
-                                     {.id = 1, .kind = LightKind::Point, .position = {0, 4, 0}, .emission = {1e20f, 1e20f, 1e20f}}};
+    const std::vector<Light> decades{
+        {.id = 0, .kind = LightKind::Point, .position = {0, 3, 0}, .emission = {1e-20f, 1e-20f, 1e-20f}},
+        {.id = 1, .kind = LightKind::Point, .position = {0, 4, 0}, .emission = {1e20f, 1e20f, 1e20f}}};
     for (const Draw& draw : draws(decades)) ASSERT_EQ(draw.light, 1u);
     const std::vector<Light> far{{.id = 0, .kind = LightKind::Point, .position = {3e38f, 0, 0}},
                                  {.id = 1, .kind = LightKind::Point, .position = {-3e38f, 1, 0}}};
@@ -237,7 +254,8 @@ TEST_F(LightTree, SameLightsSameBits) {
     const std::vector<Light> lights = mixedLights(3000);
     const BuiltTable once = tests::build(lights), again = tests::build(lights, 0, 3);
     ASSERT_EQ(once.tree.size(), again.tree.size());
-    EXPECT_EQ(std::memcmp(once.tree.data() + 1, again.tree.data() + 1, (once.tree.size() - 1) * sizeof(uvec4)), 0);
+    EXPECT_EQ(
+        std::memcmp(once.tree.data() + 1, again.tree.data() + 1, (once.tree.size() - 1) * sizeof(uvec4)), 0);
 }
 
 }   // namespace

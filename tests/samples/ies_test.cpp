@@ -68,7 +68,8 @@ TEST(Ies, MistakesAreNamed) {
     EXPECT_NE(error(with("25 0", "25")).find("candela"), std::string::npos);
     EXPECT_NE(error(with("25 0", "25 nan")).find("candela"), std::string::npos);
     EXPECT_NE(error(with("25 0", "25 -1")).find("candela"), std::string::npos);
-    for (size_t length = 0; length < kLamp.size() - 3; ++length) EXPECT_NE(error(kLamp.substr(0, length)), "none") << length;
+    for (size_t length = 0; length < kLamp.size() - 3; ++length)
+        EXPECT_NE(error(kLamp.substr(0, length)), "none") << length;
 }
 
 TEST(Ies, GltfLights) {
@@ -77,15 +78,19 @@ TEST(Ies, GltfLights) {
     std::ofstream(folder / "lamp.ies", std::ios::binary) << kLamp;
     const auto load = [&](const std::string& light, const std::string& instance) {
         const std::string file = (folder / "scene.gltf").string();
-        std::ofstream(file) << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"extensionsUsed":["EXT_lights_ies"],)"
-                            << R"("extensions":{"EXT_lights_ies":{"lights":[)" << light << R"(]}},"nodes":[{"translation":[1,2,3],)"
-                            << R"("rotation":[0.70710678,0,0,0.70710678],"scale":[3,3,3],"extensions":{"EXT_lights_ies":)" << instance << "}}]}";
+        std::ofstream(file)
+            << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"extensionsUsed":["EXT_lights_ies"],)"
+            << R"("extensions":{"EXT_lights_ies":{"lights":[)" << light
+            << R"(]}},"nodes":[{"translation":[1,2,3],)"
+            << R"("rotation":[0.70710678,0,0,0.70710678],"scale":[3,3,3],"extensions":{"EXT_lights_ies":)"
+            << instance << "}}]}";
         std::vector<std::string> warnings;
         samples::SceneData scene = samples::loadScene(file, warnings);
         EXPECT_TRUE(warnings.empty()) << warnings.front();
         return scene;
     };
-    const samples::SceneData scene = load(R"({"uri":"lamp.ies"})", R"({"light":0,"multiplier":0.5,"color":[1,0.5,2]})");
+    const samples::SceneData scene =
+        load(R"({"uri":"lamp.ies"})", R"({"light":0,"multiplier":0.5,"color":[1,0.5,2]})");
     ASSERT_EQ(scene.punctual.size(), 1u);
     EXPECT_EQ(scene.punctual[0].intensity, glm::vec3(100, 50, 100));
     EXPECT_LT(glm::distance(scene.punctual[0].profileTurn * glm::vec3(0, 0, 1), glm::vec3(0, -1, 0)), 1e-6f);
@@ -107,7 +112,8 @@ TEST(Ies, GltfLights) {
     EXPECT_NE(error(text, R"({"light":1})").find("nodes[0].EXT_lights_ies.light"), std::string::npos);
     EXPECT_NE(error(R"({"uri":"none.ies"})", R"({"light":0})").find("none.ies"), std::string::npos);
     EXPECT_NE(error(R"({"bufferView":7})", R"({"light":0})").find("lights[0].bufferView"), std::string::npos);
-    EXPECT_NE(error(R"({"uri":"lamp.ies"})", R"({"light":0,"multiplier":-1})").find("multiplier"), std::string::npos);
+    EXPECT_NE(error(R"({"uri":"lamp.ies"})", R"({"light":0,"multiplier":-1})").find("multiplier"),
+              std::string::npos);
 }
 
 }   // namespace

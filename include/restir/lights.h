@@ -66,6 +66,7 @@ struct Light {
     // map's top left corner. Point, spot: likewise of its profile, in whose axes light that travels along d
     // is at u = atan2(d.y, d.x) / (2 pi), v = acos(-d.z) / pi: photometry's horizontal and vertical angle
     // (type C), the lamp looking down -z.
+    // Of a spot -z is `direction`, and the rotation only says where x is.
     float rotation[4] = {0, 0, 0, 1};
 
     // Triangle, rectangle: radiance, W / (sr m^2), times the texture. Sphere, capsule, disk: radiance. Point,

@@ -81,11 +81,20 @@ const char* badEnvironmentField(const Light& light, const LightLimits& limits) {
     return badRotation(light);
 }
 
+glm::dmat3 axesOf(const Light& light) {
+    const float* q = light.rotation;
+    return glm::mat3_cast(glm::normalize(glm::dquat(double(q[3]), double(q[0]), double(q[1]), double(q[2]))));
+}
+
 const char* badProfileField(const Light& light, const LightLimits& limits) {
     if (light.texture == RS_NO_TEXTURE) return nullptr;
     if (light.texture >= limits.textures) return "texture (at least ContextDesc::maxTextures)";
     if (!(std::abs(light.meanLuminance) <= kLargest)) return "meanLuminance (not finite, or above 1e30)";
-    return badRotation(light);
+    if (const char* bad = badRotation(light)) return bad;
+    const bool along =
+        light.kind == LightKind::Spot &&
+        std::abs(glm::dot(axesOf(light)[0], glm::normalize(toDouble(light.direction)))) > 0.9999;
+    return along ? "rotation (turns the profile's x along direction)" : nullptr;
 }
 
 // Null if the light is good, else the field that is not.
@@ -130,11 +139,6 @@ void packDisk(const Light& light, gpu::RsPackedLight& packed) {
     packed.edge2 = toVec3(double(light.radius) * glm::cross(n, x));
 }
 
-glm::dmat3 axesOf(const Light& light) {
-    const float* q = light.rotation;
-    return glm::mat3_cast(glm::normalize(glm::dquat(double(q[3]), double(q[0]), double(q[1]), double(q[2]))));
-}
-
 void packEnvironment(const Light& light, gpu::RsPackedLight& packed) {
     const glm::dmat3 axes = axesOf(light);
     packed.position = toVec3(axes[0]);
@@ -144,10 +148,12 @@ void packEnvironment(const Light& light, gpu::RsPackedLight& packed) {
 
 void packProfile(const Light& light, gpu::RsPackedLight& packed) {
     const glm::dmat3 axes = axesOf(light);
-    const vec3 x = toVec3(axes[0]), z = toVec3(axes[2]);
-    packed.uv0 = {x.x, x.y};
-    packed.uv1 = {x.z, z.x};
-    packed.uv2 = {z.y, z.z};
+    const bool spot = light.kind == LightKind::Spot;
+    const glm::dvec3 axis = spot ? glm::normalize(toDouble(light.direction)) : -axes[2];
+    const glm::dvec3 x = glm::normalize(axes[0] - glm::dot(axes[0], axis) * axis);
+    packed.edge1 = toVec3(axis);
+    packed.uv0 = {float(x.x), float(x.y)};
+    packed.uv1 = {float(x.z), 0};
 }
 
 // All but position, emission and texture. Returns RS_LIGHT_*.

@@ -98,6 +98,12 @@ std::vector<BadLight> badLights() {
         {"rotation", K::Environment, [](Light& l) { l.rotation[3] = kNan; }},
         {"texture", K::Point, [](Light& l) { l.texture = kMaxTextures; }},
         {"rotation", K::Spot, [](Light& l) { l.texture = 1, l.rotation[0] = 0.5f; }},
+        {"rotation", K::Spot,
+         [](Light& l) {
+             l.texture = 1;
+             l.direction[0] = 1;
+             l.direction[2] = 0;
+         }},
         {"meanLuminance", K::Point, [](Light& l) { l.texture = 1, l.meanLuminance = kNan; }},
     };
 }

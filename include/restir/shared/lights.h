@@ -15,8 +15,8 @@ RS_SHARED_BEGIN
 //   spot         position         unit direction of travel   x = angle scale, y = angle offset, z = range
 //   directional                   unit direction of travel   x = 1 - cos(angular radius)
 //   environment  the map's x, y and z axes in the world
-// A texture of a point or spot light is its profile, whose x axis is in uv0 and uv1.x, its z axis in uv1.y
-// and uv2.
+// A texture of a point or spot light is its profile: edge1 is its axis, away from the lamp, uv0 and uv1.x
+// where it is turned to.
 struct RsPackedLight {
     vec3 position;
     uint kindAndTexture;   // bits 0..3 kind, bit 4 two-sided, bits 5..31 emission texture

@@ -118,9 +118,9 @@ struct RsSeenPoint {
 
 // Where the profile of a point or spot light has the light that travels along `direction`.
 vec2 rsProfileUv(RsPackedLight light, vec3 direction) {
-    vec3 x = vec3(light.uv0, light.uv1.x), z = vec3(light.uv1.y, light.uv2);
-    vec3 d = vec3(dot(direction, x), dot(direction, cross(z, x)), dot(direction, z));
-    return vec2(fract(rsAtan2(d.y, d.x) / (2.0 * RS_PI)), rsAtan2(length(d.xy), -d.z) / RS_PI);
+    vec3 x = vec3(light.uv0, light.uv1.x);
+    vec2 d = vec2(dot(direction, x), dot(direction, cross(x, light.edge1)));
+    return vec2(fract(rsAtan2(d.y, d.x) / (2.0 * RS_PI)), rsAtan2(length(d), dot(direction, light.edge1)) / RS_PI);
 }
 
 RsSeenPoint rsSeeAtInfinity(RsPackedLight light, vec2 uv) {
@@ -164,7 +164,6 @@ RsSeenPoint rsSeePoint(RsPackedLight light, uint packedUv, vec3 receiver) {
         float cone = clamp(-dot(light.edge1, seen.direction) * light.edge2.x + light.edge2.y, 0.0, 1.0);
         seen.factor *= cone * cone;
     }
-    if (rsIsTextured(light.kindAndTexture)) seen.coordinates = rsProfileUv(light, -seen.direction);
     return seen;
 }
 
@@ -176,8 +175,11 @@ RsIncident rsIncident(RsPackedLight light, uint packedUv, vec3 receiver) {
     if (infinite) seen = rsSeeAtInfinity(light, rsCellCentre(packedUv));
     else seen = rsSeePoint(light, packedUv, receiver);
     vec3 irradiance = seen.factor * light.emission;
-    if (seen.factor > 0.0 && rsIsTextured(light.kindAndTexture))
-        irradiance *= rsBridgeTexture(light.kindAndTexture >> RS_LIGHT_TEXTURE_SHIFT, seen.coordinates).rgb;
+    if (seen.factor > 0.0 && rsIsTextured(light.kindAndTexture)) {
+        bool profile = kind == RS_LIGHT_POINT || kind == RS_LIGHT_SPOT;
+        vec2 at = profile ? rsProfileUv(light, -seen.direction) : seen.coordinates;
+        irradiance *= rsBridgeTexture(light.kindAndTexture >> RS_LIGHT_TEXTURE_SHIFT, at).rgb;
+    }
     return RsIncident(seen.direction, seen.distance, irradiance, seen.solidAngle);
 }
 

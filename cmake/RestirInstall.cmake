@@ -5,7 +5,12 @@ set(shader_dir ${CMAKE_INSTALL_DATADIR}/restir/shaders)
 
 install(TARGETS restir restir_shaders EXPORT restir)
 install(EXPORT restir NAMESPACE restir:: FILE restirTargets.cmake DESTINATION ${package_dir})
-install(DIRECTORY include/restir DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+if(TARGET restir_compiler)
+    install(TARGETS restir_compiler EXPORT restirCompiler)
+    install(EXPORT restirCompiler NAMESPACE restir:: FILE restirCompilerTargets.cmake DESTINATION ${package_dir})
+    install(FILES include/restir/compiler.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/restir)
+endif()
+install(DIRECTORY include/restir DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} PATTERN compiler.h EXCLUDE)
 install(DIRECTORY shaders/ DESTINATION ${shader_dir} FILES_MATCHING PATTERN *.glsl)
 
 configure_package_config_file(cmake/restirConfig.cmake.in ${PROJECT_BINARY_DIR}/restirConfig.cmake

@@ -4,7 +4,7 @@ tools='c++:g++ cmake:cmake ninja:ninja-build glslangValidator:glslang-tools'
 libraries='libvulkan-dev libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenexr-dev libcli11-dev
     vulkan-validationlayers'
 test_tools='spirv-val:spirv-tools clang-tidy:clang-tidy'
-test_libraries='libgtest-dev'
+test_libraries='libgtest-dev glslang-dev'
 viewer_libraries='libglfw3-dev libimgui-dev'
 # The first release whose software Vulkan driver has ray query.
 least_mesa=24.1

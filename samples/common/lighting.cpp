@@ -5,9 +5,10 @@
 namespace samples {
 namespace {
 
-restir::Context makeContext(Device& device, const GpuScene& scene) {
+restir::Context makeContext(Device& device, const GpuScene& scene, const restir::ShaderPack* shaders) {
     restir::ContextDesc desc;
     desc.device = device.sdkInfo();
+    desc.shaders = shaders;
     desc.framesInFlight = FrameSlots::kCount;
     desc.queueFamily = device.queueFamily();
     desc.maxTextures = std::max(static_cast<uint32_t>(scene.textures().size()), 1u);
@@ -32,11 +33,11 @@ restir::LightTableDesc lightsOf(const GpuScene& scene, Emitters emitters) {
 
 }   // namespace
 
-Lighting::Lighting(Device& device, GpuScene& scene, Emitters emitters)
+Lighting::Lighting(Device& device, GpuScene& scene, Emitters emitters, const restir::ShaderPack* shaders)
     : device_(device),
       scene_(scene),
       lightsDesc_(lightsOf(scene, emitters)),
-      context_(makeContext(device, scene)),
+      context_(makeContext(device, scene, shaders)),
       sdkScene_(makeScene(device, context_, scene)),
       lights_(device.require(restir::LightTable::create(context_, lightsDesc_), "restir::LightTable")) {
     if (const FloatImage& sky = scene.skyMap(); !sky.rgb.empty())

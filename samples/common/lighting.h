@@ -13,8 +13,9 @@ enum class Emitters : uint8_t { Uploaded, Meshes };   // the host; the SDK, on t
 
 class Lighting {
 public:
-    // Borrows both.
-    Lighting(Device& device, GpuScene& scene, Emitters emitters = Emitters::Uploaded);
+    // Borrows both. Null shaders: the library's own.
+    Lighting(Device& device, GpuScene& scene, Emitters emitters = Emitters::Uploaded,
+             const restir::ShaderPack* shaders = nullptr);
 
     // Behind GpuScene::record() of the same frame: the lights, where they changed.
     void record(VkCommandBuffer cmd, uint32_t slot);

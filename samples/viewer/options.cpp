@@ -21,6 +21,10 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
         ->check(CLI::Range(0.05, 1.0));
     samples::addSceneOptions(app, options.scene);
     samples::addSettingOptions(app, options.settings);
+    app.add_option("--bridge", options.bridge,
+                   "a directory with a restir_bridge.glsl for the library's passes, which are compiled again "
+                   "when a shader changes")
+        ->type_name("DIR");
     auto* script = app.add_option("--script", options.script, "do what a file says, then quit; see README");
     script->type_name("FILE");
     app.add_option("--seconds", options.seconds, "begin the script anew until so much time has passed")

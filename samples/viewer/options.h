@@ -16,6 +16,7 @@ struct Options {
     restir::Settings settings;
     VkExtent2D window{1280, 720};
     std::optional<float> scale;   // unset: 1 on a GPU, less where the CPU has to do
+    std::string bridge;           // a directory; empty: the library as it was built
     std::string script;           // a file
     double seconds = 0;           // the script begins anew until they have passed
     bool validate = false;

@@ -107,7 +107,7 @@ Script::Script(const std::string& path) : path_(path) {
         if (text.empty()) continue;
         const size_t space = std::min(text.find(' '), text.size());
         Command command{line, text.substr(0, space), space < text.size() ? text.substr(space + 1) : ""};
-        if (command.name != "frames" && !actions().contains(command.name))
+        if (command.name != "frames" && command.name != "compilations" && !actions().contains(command.name))
             throw std::runtime_error(path + ":" + std::to_string(line) + ": '" + command.name +
                                      "' is no command");
         commands_.push_back(std::move(command));
@@ -118,6 +118,8 @@ void Script::run(const Command& command, State& state, const Stage& stage) {
     try {
         if (command.name == "frames") {
             frames_ = parseNumber<uint32_t>(command.argument);
+        } else if (command.name == "compilations") {
+            compilations_ = parseNumber<uint32_t>(command.argument);
         } else {
             actions().at(command.name)(command.argument, state, stage);
         }
@@ -127,6 +129,7 @@ void Script::run(const Command& command, State& state, const Stage& stage) {
 }
 
 bool Script::step(State& state, const Stage& stage) {
+    if (state.compilations < compilations_) return true;
     while (frames_ == 0) {
         if (next_ == commands_.size()) {
             next_ = 0;
@@ -134,7 +137,7 @@ bool Script::step(State& state, const Stage& stage) {
         }
         const Command& command = commands_[next_++];
         run(command, state, stage);
-        if (takesFrame(command.name)) return true;
+        if (takesFrame(command.name) || state.compilations < compilations_) return true;
     }
     --frames_;
     return true;

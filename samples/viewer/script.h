@@ -37,7 +37,8 @@ private:
     std::string path_;
     std::vector<Command> commands_;
     size_t next_ = 0;
-    uint32_t frames_ = 0;   // still to go
+    uint32_t frames_ = 0;         // still to go
+    uint32_t compilations_ = 0;   // to wait for
 };
 
 }   // namespace viewer

@@ -25,7 +25,7 @@ struct Stage {
     std::unique_ptr<samples::Lighting> lighting;
 };
 
-// Throws std::runtime_error.
-Stage makeStage(samples::Device& device, const samples::SceneOptions& options);
+// Null shaders: the library's own. Throws std::runtime_error.
+Stage makeStage(samples::Device& device, const samples::SceneOptions& options, const restir::ShaderPack* shaders);
 
 }   // namespace viewer

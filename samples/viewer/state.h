@@ -49,6 +49,7 @@ struct State {
     std::string saveWindow;                  // likewise
     bool quit = false;
 
+    uint32_t compilations = 0;   // of shaders that changed, whatever became of them
     std::string message;   // the last wish that could not be met
     std::string refusal;   // what the library has against the settings; empty: nothing
 

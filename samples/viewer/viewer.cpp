@@ -47,6 +47,7 @@ Viewer::Viewer(const Options& options)
     state_.settings = options.settings;
     state_.scale = options.scale.value_or(software ? kSoftwareScale : 1.0f);
     if (!options.script.empty()) script_.emplace(options.script);
+    if (!options.bridge.empty()) shaders_.emplace(options.bridge);
     resizeWindow();
     load(options.scene.scene);
 }
@@ -70,7 +71,7 @@ void Viewer::load(const std::string& name) {
         options.target.clear();
     }
     device_.waitIdle();
-    auto stage = std::make_unique<Stage>(makeStage(device_, options));
+    auto stage = std::make_unique<Stage>(makeStage(device_, options, shaders_ ? &shaders_->pack() : nullptr));
     picture_.reset();   // before the stage that it borrows
     stage_ = std::move(stage);
     picture_ = std::make_unique<Picture>(device_, *stage_);
@@ -84,6 +85,31 @@ void Viewer::load(const std::string& name) {
     window_.setTitle("restir-viewer: " + name);
     for (const std::string& warning : stage_->warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
+}
+
+// Between two frames. What was there stays where this fails.
+void Viewer::pollShaders() try {
+    if (!shaders_->poll()) return;
+    replaceShaders();
+    std::fprintf(stderr, "restir-viewer: the passes were compiled again\n");
+    ++state_.compilations;
+} catch (const std::runtime_error& error) {
+    state_.message = error.what();
+    std::fprintf(stderr, "%s\n", error.what());
+    ++state_.compilations;
+}
+
+void Viewer::replaceShaders() {
+    device_.waitIdle();
+    auto lighting = std::make_unique<samples::Lighting>(device_, *stage_->scene, samples::Emitters::Uploaded, &shaders_->pack());
+    picture_.reset();   // before the Context that its session is of
+    stage_->lighting = std::move(lighting);
+    picture_ = std::make_unique<Picture>(device_, *stage_);
+    state_.cut = true;
+    state_.message.clear();
+    referenceFrames_ = 0;
+    history_.forgetErrors();
+    interrupted_ = true;
 }
 
 void Viewer::replaceStage(const std::string& name) {
@@ -100,6 +126,7 @@ void Viewer::refuse(const std::string& what) {
 }
 
 void Viewer::prepare() {
+    if (shaders_) pollShaders();
     for (const std::string& path : window_.takeDropped()) state_.load = path;
     const std::string name = std::exchange(state_.load, {});
     const auto pictures = std::exchange(state_.savePictures, {});

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "viewer/facts.h"
+#include "viewer/live_shaders.h"
 #include "viewer/options.h"
 #include "viewer/overlay.h"
 #include "viewer/screenshot.h"
@@ -31,6 +32,8 @@ private:
     void prepare();   // the wishes for this frame
     void load(const std::string& name);
     void replaceStage(const std::string& name);
+    void pollShaders();
+    void replaceShaders();
     void resizeWindow();
     void drawFrame();
     void record(VkCommandBuffer cmd, uint32_t slot, uint32_t image);
@@ -47,6 +50,7 @@ private:
     Overlay overlay_;
     State state_;
     History history_;
+    std::optional<LiveShaders> shaders_;
     std::unique_ptr<Stage> stage_;
     std::unique_ptr<Picture> picture_;
     samples::FrameSlots slots_;

@@ -31,3 +31,27 @@ grep -q "bad.script:1: radius: 'far'" said || fail 'the bad line of a script was
 grep -q 'nowhere.gltf' said || fail 'the missing scene was not named'
 ! env -u DISPLAY -u WAYLAND_DISPLAY "$viewer" builtin:cornell > said 2>&1 || fail 'a window without a display'
 grep -q 'no display' said || fail 'the missing display was not named'
+
+# A bridge that changes while the viewer runs: broken, then mended.
+rm -rf bridge said && mkdir bridge && : > said
+bridge() { printf '%s\n' "$1" > bridge.new && mv bridge.new bridge/restir_bridge.glsl; }
+await() {
+    for second in $(seq 200); do
+        ! "$@" || return 0
+        sleep 1
+    done
+    fail "waited in vain for: $*"
+}
+bridge '#include "restir/bridge/standard.glsl"'
+printf 'frames 1\nshot live.png\nframes 1\ncompilations 1\nframes 1\ncompilations 2\nframes 2\n' > live.script
+show builtin:cornell --size 320x180 --scale 0.25 --validate --bridge bridge --script live.script &
+viewer_id=$!
+started() { [ -s live.png ] || grep -q 'built without restir::compiler' said; }
+await started
+! grep -q 'built without restir::compiler' said || exit 0
+bridge 'nonsense'
+await grep -q 'bridge/restir_bridge.glsl:1: ' said
+bridge '#include "restir/bridge/standard.glsl" // mended'
+wait $viewer_id || fail 'the session with a bridge'
+grep -q 'compiled again' said || fail 'a mended bridge was not compiled'
+grep -q '^validation messages: 0$' said || fail 'no count of validation messages, with a bridge'

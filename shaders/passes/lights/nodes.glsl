@@ -26,9 +26,13 @@ void main() {
             rsStoreNode(slot, node);
             memoryBarrierBuffer();
             uint parent = slot / 2u;
-            if (atomicAdd(rsDeficit[parent].x, 1u) == 0u || parent == 0u) break;
+            if (atomicAdd(rsDeficit[parent].x, 1u) == 0u) break;
             memoryBarrierBuffer();
             node = rsJoin(rsLoadNode(2u * parent), rsLoadNode(2u * parent + 1u));
+            if (parent == 0u) {
+                rsStoreNode(rsTreeRoot(columns), node);
+                break;
+            }
             slot = rsTree[rsTreeSlotOfNode(columns, parent)];
         }
     }

@@ -8,20 +8,22 @@ RsTreeNode rsTreeLeaf(RsPackedLight light) {
     uint kind = light.kindAndTexture & RS_LIGHT_KIND_MASK;
     float edges = dot(light.edge1, light.edge1) + dot(light.edge2, light.edge2);
     RsTreeNode leaf = RsTreeNode(light.position, 0.0, light.selection);
+    float spread = 0.0;
     if (!rsIsFinite(kind)) return RsTreeNode(vec3(0.0), 0.0, 0.0);
     if (kind == RS_LIGHT_TRIANGLE) {
         vec3 third = light.edge2 - light.edge1;
         leaf.mean += (light.edge1 + light.edge2) / 3.0;
-        leaf.spread = (edges + dot(third, third)) / 36.0;
+        spread = (edges + dot(third, third)) / 36.0;
     } else if (kind == RS_LIGHT_RECTANGLE) {
         leaf.mean += 0.5 * (light.edge1 + light.edge2);
-        leaf.spread = edges / 12.0;
+        spread = edges / 12.0;
     } else if (kind == RS_LIGHT_DISK) {
-        leaf.spread = edges / 4.0;
+        spread = edges / 4.0;
     } else if (kind == RS_LIGHT_CAPSULE) {
         leaf.mean += 0.5 * light.edge1;
-        leaf.spread = dot(light.edge1, light.edge1) / 12.0 + light.edge2.x * light.edge2.x;
+        spread = dot(light.edge1, light.edge1) / 12.0 + light.edge2.x * light.edge2.x;
     }
+    leaf.radius = sqrt(spread);
     return leaf;
 }
 

@@ -1,5 +1,6 @@
 // Where candidates come from: the power table for some, the tree for others. A light's probability is that of the mixture,
-// (1 - s) P_power + s P_tree(receiver), whichever of them it came from, so nothing has to be weighed against anything.
+// (1 - s) P_power + s P_tree, whichever of them it came from, so nothing has to be weighed against anything. s and P_tree are
+// the receiver's.
 #ifndef RESTIR_LIGHTS_SOURCE_GLSL
 #define RESTIR_LIGHTS_SOURCE_GLSL
 #include "restir/lights/table.glsl"
@@ -7,7 +8,7 @@
 
 struct RsLightSource {
     uint count;        // one more than the largest id
-    float treeShare;   // s in [0, 0.9]; 0 where there is no tree
+    float treeShare;   // s in [0, 0.9] at most; 0 where there is no tree
 };
 
 struct RsLightDraw {
@@ -17,7 +18,7 @@ struct RsLightDraw {
 
 RsLightDraw rsDrawLightFrom(RsLightSource source, vec3 receiver, vec3 normal, inout RsRandom random) {
     RsLightDraw draw = RsLightDraw(RS_NO_LIGHT, -1.0);
-    if (source.treeShare > 0.0 && rsNext(random) < source.treeShare)
+    if (source.treeShare > 0.0 && rsNext(random) < rsTreeShare(source.treeShare, receiver, rsColumns(source.count)))
         draw.light = rsSampleTree(receiver, normal, rsColumns(source.count), random, draw.treeChance);
     else draw.light = rsSampleLight(source.count, random);
     return draw;
@@ -26,8 +27,10 @@ RsLightDraw rsDrawLightFrom(RsLightSource source, vec3 receiver, vec3 normal, in
 // Of a light, however it was found. `selection` is the light's.
 float rsLightChance(RsLightSource source, RsLightDraw draw, float selection, vec3 receiver, vec3 normal) {
     if (!(source.treeShare > 0.0)) return selection;
+    float share = rsTreeShare(source.treeShare, receiver, rsColumns(source.count));
+    if (!(share > 0.0)) return selection;
     if (draw.treeChance < 0.0) draw.treeChance = rsTreeChance(draw.light, receiver, normal, rsColumns(source.count));
-    return mix(selection, draw.treeChance, source.treeShare);
+    return mix(selection, draw.treeChance, share);
 }
 float rsLightChance(RsLightSource source, uint light, float selection, vec3 receiver, vec3 normal) {
     return rsLightChance(source, RsLightDraw(light, -1.0), selection, receiver, normal);

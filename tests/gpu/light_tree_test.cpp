@@ -256,8 +256,10 @@ TEST_F(LightTree, SameLightsSameBits) {
     const BuiltTable once = tests::build(lights), again = tests::build(lights, 0, 3);
     ASSERT_EQ(once.tree.size(), again.tree.size());
     const size_t unused = 2 * columnsOf(once) - 2;
-    for (size_t i = 0; i < once.tree.size(); ++i)
-        if (i != unused) ASSERT_EQ(std::memcmp(&once.tree[i], &again.tree[i], sizeof(uvec4)), 0) << i;
+    for (size_t i = 0; i < once.tree.size(); ++i) {
+        if (i == unused) continue;
+        ASSERT_EQ(std::memcmp(&once.tree[i], &again.tree[i], sizeof(uvec4)), 0) << i;
+    }
 }
 
 }   // namespace

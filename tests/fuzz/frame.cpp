@@ -61,15 +61,15 @@ void takeFrame(Take& take, restir::FrameInput& frame) {
 void takeSettings(Take& take, restir::Settings& settings) {
     restir::DiSettings& di = settings.di;
     if (take.value<uint8_t>() >= 0xc0) di = restir::presetSettings(restir::Preset(take.below(5)));
-    take.maybe(di.mode, di.lightCandidates, di.initialSamples, di.cutSamples, di.bsdfCandidates, di.temporal,
-               di.maxHistory, di.permuteHistory, di.spatialPasses, di.neighbours, di.fused, di.checkerboard,
-               di.radius, di.pairedNeighbours, di.normalThreshold, di.depthThreshold, di.weights,
-               di.visibility, di.averageShading, di.boilingFilter);
+    take.maybe(di.mode, di.lightCandidates, di.initialSamples, di.cutSamples, di.bsdfCandidates, di.treeShare,
+               di.temporal, di.maxHistory, di.permuteHistory, di.spatialPasses, di.neighbours, di.fused,
+               di.checkerboard, di.radius, di.pairedNeighbours, di.normalThreshold, di.depthThreshold,
+               di.weights, di.visibility, di.averageShading, di.boilingFilter);
     restir::GiSettings& gi = settings.gi;
     if (take.flag()) gi.mode = restir::IndirectMode(take.below(3));
-    take.maybe(gi.mode, gi.bounces, gi.lightCandidates, gi.temporal, gi.maxHistory, gi.spatialPasses,
-               gi.neighbours, gi.radius, gi.normalThreshold, gi.depthThreshold, gi.weights, gi.visibility,
-               gi.averageShading);
+    take.maybe(gi.mode, gi.bounces, gi.lightCandidates, gi.treeShare, gi.temporal, gi.maxHistory,
+               gi.spatialPasses, gi.neighbours, gi.radius, gi.normalThreshold, gi.depthThreshold, gi.weights,
+               gi.visibility, gi.averageShading);
     take.maybe(settings.debugView, settings.counters);
 }
 

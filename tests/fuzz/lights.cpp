@@ -75,7 +75,7 @@ void run(std::span<const uint8_t> bytes) {
     Take take(bytes);
     restir::LightTableDesc desc{
         .maxLights = 32, .meshLights = take.below(16), .maxMeshes = 4, .maxEnvironmentTexels = kMostTexels};
-    take.maybe(desc.maxLights, desc.meshLights, desc.maxMeshes, desc.maxEnvironmentTexels);
+    take.maybe(desc.maxLights, desc.meshLights, desc.maxMeshes, desc.maxEnvironmentTexels, desc.tree);
     auto table = restir::LightTable::create(context(), desc);
     if (!table) return;
     const auto cmd = someHandle<VkCommandBuffer>();

@@ -105,9 +105,10 @@ double Web::at(double h, double v) const {
     if (first == 90 && h > 270) h = 540 - h;
     const auto [i, x] = find(horizontal, h);
     const auto [j, y] = find(vertical, v);
-    const auto value = [&](size_t di, size_t dj) {
-        return candela[std::min(i + di, horizontal.size() - 1) * vertical.size() +
-                       std::min(j + dj, vertical.size() - 1)];
+    // Named anew for clang 14, which captures no structured bindings.
+    const auto value = [&, row = i, column = j](size_t di, size_t dj) {
+        return candela[std::min(row + di, horizontal.size() - 1) * vertical.size() +
+                       std::min(column + dj, vertical.size() - 1)];
     };
     return (1 - x) * ((1 - y) * value(0, 0) + y * value(0, 1)) +
            x * ((1 - y) * value(1, 0) + y * value(1, 1));

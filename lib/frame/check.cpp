@@ -100,6 +100,9 @@ Status checkSettings(const MessageSink& sink, const GiSettings& gi, const Sessio
         return refuse(sink, "restir: GiSettings::mode is Restir, SessionDesc::indirect is false");
     if (Status s = check.reuse(gi); s != Status::Ok) return s;
     if (Status s = check.within("bounces", gi.bounces, 2, 64); s != Status::Ok) return s;
+    if (!(gi.staleHistory >= 0 && gi.staleHistory <= 1))
+        return refuse(sink, "restir: GiSettings::staleHistory is %g, must be in [0, 1]",
+                      double(gi.staleHistory));
     if (gi.visibility == VisibilityReuse::None)
         return refuse(
             sink, "restir: GiSettings::visibility is None, must be Cached or Traced: every path is traced");
@@ -200,16 +203,24 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
     return Status::Ok;
 }
 
-bool historyUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
-    if (!s.history.direct || frame.resetHistory || s.history.visibility != settings.di.visibility)
-        return false;
+namespace {
+
+// What history names by light ids can be looked up: there are the lights of this frame and of the one before.
+bool lightsKnown(const Session::Impl& s, const FrameInput& frame) noexcept {
     const LightTable::Impl& lights = Internals::of(*frame.lights);
     return s.history.lights == lights.serial && lights.generation - s.history.lightGeneration <= 1;
 }
 
-// Paths name no lights.
+}   // namespace
+
+bool historyUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+    return s.history.direct && !frame.resetHistory && s.history.visibility == settings.di.visibility &&
+           lightsKnown(s, frame);
+}
+
 bool giHistoryUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
-    return s.history.indirect && !frame.resetHistory && s.history.giVisibility == settings.gi.visibility;
+    return s.history.indirect && !frame.resetHistory && s.history.giVisibility == settings.gi.visibility &&
+           lightsKnown(s, frame);
 }
 
 }   // namespace restir

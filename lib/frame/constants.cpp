@@ -105,11 +105,11 @@ gpu::RsView makeView(const Camera& camera, VkExtent2D extent) noexcept {
 gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, const Settings& settings,
                            bool history, bool giHistory) noexcept {
     const LightTable::Impl& lights = Internals::of(*frame.lights);
-    const bool lightsChanged = history && lights.generation != s.history.lightGeneration;
+    const bool past = history || giHistory;
+    const bool lightsChanged = past && lights.generation != s.history.lightGeneration;
     const GBuffer& g = frame.gbuffer;
     gpu::RsFrame c{};
     c.view = makeView(frame.camera, frame.extent);
-    const bool past = history || giHistory;
     c.previousView = past ? s.history.view : c.view;
     c.extent = {frame.extent.width, frame.extent.height};
     c.previousExtent = past ? gpu::uvec2{s.history.extent.width, s.history.extent.height} : c.extent;
@@ -137,7 +137,7 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
         c.gi.treeShare = settings.gi.treeShare;
     }
     c.giBounces = settings.gi.bounces;
-    c.giScratch = 1 - s.history.reservoirs;
+    c.giStale = lightsChanged ? settings.gi.staleHistory : 1.0f;
     return c;
 }
 

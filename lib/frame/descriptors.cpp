@@ -46,7 +46,7 @@ private:
     }
 
     static constexpr uint32_t kMax =
-        RS_BIND_COUNT + 4;   // the reservoirs are two, those of indirect light four
+        RS_BIND_COUNT + 2 * RS_GI_STREAMS;   // the reservoirs are two, those of indirect light so many
     VkDescriptorSet set_;
     uint32_t count_ = 0;
     VkWriteDescriptorSet writes_[kMax];
@@ -80,7 +80,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.buffer(RS_BIND_RAY_LOG, s.buffer(RayLog));
     w.buffer(RS_BIND_NOTES, s.buffer(Notes));
     w.buffer(RS_BIND_ENVIRONMENT, lights.environment.buffer());
-    for (uint32_t i = 0; i < 4; ++i) w.buffer(RS_BIND_GI_RESERVOIRS, s.buffer(GiReservoirs0, i), i);
+    for (uint32_t i = 0; i < 2 * RS_GI_STREAMS; ++i) w.buffer(RS_BIND_GI_RESERVOIRS, s.buffer(GiReservoirs0, i), i);
     const GBuffer& g = frame.gbuffer;
     w.image(RS_BIND_DEPTH, g.depth.view, g.depth.layout);
     w.image(RS_BIND_NORMAL, g.normal.view, g.normal.layout);

@@ -1,6 +1,8 @@
 // Descriptor set and pipeline layouts, in one place with the binding numbers of restir/shared/frame.h.
 #pragma once
 
+#include <restir/shared/gi.h>
+
 #include <frame/context_impl.h>
 
 namespace restir {
@@ -18,7 +20,7 @@ constexpr VkDescriptorType bindingType(uint32_t binding) noexcept {
 }
 
 constexpr uint32_t bindingCount(uint32_t binding) noexcept {
-    return binding == RS_BIND_RESERVOIRS ? 2 : binding == RS_BIND_GI_RESERVOIRS ? 4 : 1;
+    return binding == RS_BIND_RESERVOIRS ? 2 : binding == RS_BIND_GI_RESERVOIRS ? 2 * RS_GI_STREAMS : 1;
 }
 
 // Fills all layouts of the Context.

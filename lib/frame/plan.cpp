@@ -47,23 +47,18 @@ private:
         add(pass, checkerboard_);
     }
 
-    // A stage of indirect light. What `candidates` cannot keep in reservoirs waits for the one that shades,
-    // where di.candidates will begin.
-    void addIndirect(PassInfo pass, bool first = false) {
-        if (input_.indirectLobes) {
-            if (first != pass.shades)
-                addUse(pass, {reservoirs(1 - input_.historyIn), first ? Access::Write : Access::Read});
-            if (pass.shades) addUse(pass, {Resource::Outputs, Access::Write});
-        }
+    // A stage of indirect light.
+    void addIndirect(PassInfo pass) {
+        if (input_.indirectLobes && pass.shades) addUse(pass, {Resource::Outputs, Access::Write});
         add(pass);
     }
 
     void indirect() {
         const GiSettings& gi = settings_.gi;
         plan_.giHistoryOut = input_.giHistoryIn;
-        if (gi.mode == IndirectMode::Path) return addIndirect(gi::path(), true);
+        if (gi.mode == IndirectMode::Path) return addIndirect(gi::path());
         uint32_t current = 1 - input_.giHistoryIn;
-        addIndirect(gi::candidates(current), true);
+        add(gi::candidates(current));
         if (gi.temporal && input_.giHistory) add(gi::temporal(input_.giHistoryIn, current));
         const bool means = averages(gi.averageShading, gi.visibility, gi.weights) && gi.spatialPasses > 0;
         for (uint32_t i = 0; i < gi.spatialPasses; ++i) {

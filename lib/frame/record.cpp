@@ -91,12 +91,12 @@ void recordPasses(Session::Impl& s, VkCommandBuffer cmd, bool counters) noexcept
 Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
     if (auto planned = session.plan(frame, settings); !planned) return planned.error().status;
     const LightTable::Impl& lights = Internals::of(*frame.lights);
-    const bool history = historyUsable(s, frame, settings);
+    const bool history = historyUsable(s, frame, settings), giHistory = giHistoryUsable(s, frame, settings);
     const uint32_t surfaces = 1 - s.history.surfaces;
 
-    const gpu::RsFrame constants = makeConstants(s, frame, settings, history, giHistoryUsable(s, frame, settings));
+    const gpu::RsFrame constants = makeConstants(s, frame, settings, history, giHistory);
     std::memcpy(s.buffers.mapped<uint8_t>(s.constantsOf(frame.frameSlot)), &constants, sizeof constants);
-    const bool sameLights = !history || lights.generation == s.history.lightGeneration;
+    const bool sameLights = !(history || giHistory) || lights.generation == s.history.lightGeneration;
     writeDescriptors(s, frame, surfaces, sameLights ? lights.current() : lights.previous());
     s.preparedSlot = frame.frameSlot;
     s.preparedScene = s.context->ownsSceneLayout ? Internals::of(*frame.scene).set : frame.bridgeSet;

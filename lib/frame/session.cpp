@@ -13,7 +13,7 @@ namespace {
 // Bytes per pixel of each per-pixel stream; elements of at most 16 bytes keep 4K inside the storage buffer
 // range that Vulkan guarantees.
 constexpr VkDeviceSize kSurfaceBytes = 16, kMoreBytes = 8, kSurfaceFrameBytes = 8;
-constexpr VkDeviceSize kGiStreamBytes = sizeof(gpu::RsGiReservoir) / 2;
+constexpr VkDeviceSize kGiStreamBytes = sizeof(gpu::RsGiReservoir) / RS_GI_STREAMS;
 
 // The targets of a pixel's own sample and of its partners', two bytes each, in whole words
 // (passes/notes.glsl).
@@ -89,8 +89,8 @@ std::vector<BufferRequest> sessionRequests(const Context::Impl& c, const Session
         {std::max(desc.rayLogCapacity, 1u) * sizeof(gpu::RsLoggedRay), counted, device, "ray log"},
         {std::max(pixels * noteBytes(desc), VkDeviceSize{4}), storage, device, "partners' targets"},
     };
-    for (const char* name :
-         {"indirect vertices A", "indirect light A", "indirect vertices B", "indirect light B"})
+    for (const char* name : {"indirect vertices A", "indirect surfaces A", "indirect light A",
+                             "indirect vertices B", "indirect surfaces B", "indirect light B"})
         requests.push_back({desc.indirect ? pixels * kGiStreamBytes : kGiStreamBytes, storage, device, name});
     for (uint32_t i = 0; i < c.framesInFlight; ++i) {
         requests.push_back({sizeof(gpu::RsFrame), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::HostWrite,
@@ -125,7 +125,7 @@ Result<Session> Session::create(const Context& context, const SessionDesc& desc)
         const auto buffer = SessionBuffer(i);
         const bool notes = buffer == SessionBuffer::Notes && desc.pairedNeighbours > 0;
         const bool paths =
-            buffer >= SessionBuffer::GiReservoirs0 && buffer <= SessionBuffer::GiReservoirs3 && desc.indirect;
+            buffer >= SessionBuffer::GiReservoirs0 && buffer <= SessionBuffer::GiReservoirsLast && desc.indirect;
         impl->report.push_back(
             {requests[i].name, requests[i].size, buffer < SessionBuffer::Counters || notes || paths});
     }

@@ -25,10 +25,8 @@ enum class SessionBuffer : size_t {
     Counters,
     RayLog,   // always there, so that the binding is: one ray where no log was asked for
     Notes,    // likewise: one word where pairedNeighbours is 0
-    GiReservoirs0,   // likewise; two streams each of A and of B
-    GiReservoirs1,
-    GiReservoirs2,
-    GiReservoirs3,
+    GiReservoirs0,   // likewise; the streams of A, then those of B
+    GiReservoirsLast = GiReservoirs0 + 2 * RS_GI_STREAMS - 1,
     FirstSlot,
 };
 

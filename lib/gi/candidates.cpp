@@ -4,7 +4,7 @@
 namespace restir::gi {
 
 PassInfo candidates(uint32_t target) noexcept {
-    return makeStage("gi.candidates", target, target, Access::ReadWrite, {{reservoirs(target), Access::Write}});
+    return makeStage("gi.candidates", target, target, Access::Read, {{reservoirs(target), Access::Write}});
 }
 
 PassInfo path() noexcept {

@@ -1,6 +1,7 @@
 #include "bench/workbench.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "common/scene_options.h"
@@ -11,8 +12,10 @@ namespace {
 
 constexpr uint32_t kLoggedRays = 24;   // per pixel, at most
 
-samples::View viewOf(const samples::SceneData& scene) {
-    return scene.views.empty() ? samples::frameScene(scene) : scene.views[0];
+samples::View viewOf(const samples::SceneData& scene, float zoom) {
+    samples::View view = scene.views.empty() ? samples::frameScene(scene) : scene.views[0];
+    view.verticalFov = 2 * std::atan(std::tan(view.verticalFov / 2) / zoom);
+    return view;
 }
 
 }   // namespace
@@ -32,6 +35,11 @@ void addScene(CLI::App& command, SceneOptions& options) {
         ->type_name("N");
     command.add_option("--move", options.move, "the camera orbits its target by so much a frame (0.2)")
         ->type_name("DEG");
+    command
+        .add_option("--zoom", options.zoom,
+                    "the middle of a picture so many times as wide and high: neighbours as near as there")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->type_name("X");
     command.add_option("--animate", options.animation, "one of the scene's animations")->type_name("NAME");
     addRows(command, options.rows);
     samples::addSettingOptions(command, options.settings);
@@ -76,7 +84,7 @@ double Contender::bytesPerPixel() const {
 
 Workbench::Workbench(const SceneOptions& options) : extent_(options.extent) {
     samples::SceneData data = load(options.scene);
-    sequence_ = {.view = viewOf(data), .orbitDegrees = options.move};
+    sequence_ = {.view = viewOf(data, options.zoom), .orbitDegrees = options.move};
     if (!options.animation.empty()) sequence_.motion = samples::findMotion(data, options.animation);
     scene_ = std::make_unique<samples::GpuScene>(device_, std::move(data));
     std::printf("%s, %ux%u, %zu lights, %s\n", options.scene.c_str(), options.extent.width,

@@ -17,6 +17,7 @@ struct SceneOptions {
     VkExtent2D extent{320, 180};
     uint32_t frames = 30;
     float move = 0.2f;
+    float zoom = 1;
     std::string animation;
     restir::Settings settings;   // of every row, before its own settings
     std::vector<std::string> rows;

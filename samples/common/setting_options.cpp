@@ -64,8 +64,8 @@ SettingOption number(std::string name, T Part::*field, std::string help, Range r
                 }};
 }
 
-template <class T>
-SettingOption choice(std::string name, T DiSettings::*field, std::string help,
+template <class T, class Part>
+SettingOption choice(std::string name, T Part::*field, std::string help,
                      std::vector<std::pair<std::string, T>> choices) {
     std::string list;
     for (const auto& [key, unused] : choices) list += (list.empty() ? "" : "|") + key;
@@ -104,6 +104,12 @@ constexpr Mode kModes[] = {{"di", DirectMode::Restir, IndirectMode::Off},
                            {"gi-only", DirectMode::Off, IndirectMode::Restir},
                            {"pt-plain", DirectMode::NextEvent, IndirectMode::Path},
                            {"pt-only", DirectMode::Off, IndirectMode::Path}};
+
+const std::vector<std::pair<std::string, Weights>> kWeights = {{"off", Weights::Off},
+                                                               {"basic", Weights::Basic},
+                                                               {"balance", Weights::Balance},
+                                                               {"pairwise", Weights::Pairwise},
+                                                               {"plain", Weights::PairwisePlain}};
 
 SettingOption modeOption() {
     std::string list;
@@ -167,15 +173,18 @@ const std::vector<SettingOption>& settingOptions() {
                "light candidates at each vertex of a path but the first; one gets a shadow ray (4)",
                {1, 65536}),
         number("gi-max-history", &GiSettings::maxHistory,
-               "frames that temporal reuse of indirect light may stand for, at most max-history (8)", {0, 1000}),
+               "frames that temporal reuse of indirect light may stand for, at most max-history (8)",
+               {0, 1000}),
+        number("gi-stale-history", &GiSettings::staleHistory,
+               "what is left of the history of light scattered three times and more where lights change, 0 "
+               "to 1 (0)",
+               {0, 1}),
+        choice<Weights>("gi-weights", &GiSettings::weights,
+                        "of indirect light, as those of direct light (plain)", kWeights),
         choice<Weights>(
             "weights", &DiSettings::weights,
             "resampling weights: off is biased, basic the noisiest, pairwise the quietest (pairwise)",
-            {{"off", Weights::Off},
-             {"basic", Weights::Basic},
-             {"balance", Weights::Balance},
-             {"pairwise", Weights::Pairwise},
-             {"plain", Weights::PairwisePlain}}),
+            kWeights),
         choice<VisibilityReuse>("visibility", &DiSettings::visibility,
                                 "of reused samples: cached is too dark, none noisier (traced)",
                                 {{"none", VisibilityReuse::None},
@@ -253,7 +262,6 @@ void addSettingOptions(CLI::App& app, Settings& settings) {
 void reuseAlike(Settings& settings) {
     const DiSettings& di = settings.di;
     GiSettings& gi = settings.gi;
-    gi.weights = di.weights;
     if (di.visibility != VisibilityReuse::None) gi.visibility = di.visibility;
     gi.temporal = di.temporal;
     if (gi.mode != IndirectMode::Off) gi.maxHistory = std::min(gi.maxHistory, di.maxHistory);

@@ -56,8 +56,9 @@ std::vector<Row> namedRows(const std::string& table) {
         for (const char* row :
              {"gi=mode=gi", "gi-pairwise-traced=mode=gi-only",
               "gi-pairwise-cached=mode=gi-only visibility=cached",
-              "gi-balance-traced=mode=gi-only weights=balance", "gi-basic-traced=mode=gi-only weights=basic",
-              "gi-off-cached=mode=gi-only weights=off visibility=cached", "pt-only=mode=pt-only"})
+              "gi-balance-traced=mode=gi-only gi-weights=balance",
+              "gi-basic-traced=mode=gi-only gi-weights=basic",
+              "gi-off-cached=mode=gi-only gi-weights=off visibility=cached", "pt-only=mode=pt-only"})
             rows.push_back(parseRow(row, {.di = {.maxHistory = 4, .radius = 16}}));
     } else {
         throw std::runtime_error("'" + table + "' is no table, known: weights presets options indirect");

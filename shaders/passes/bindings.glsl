@@ -107,16 +107,15 @@ bool rsWantsLobes() {
     return rsPass.shades != 0u && asked;
 }
 #else
-bool rsWantsLobes() { return (rsFrame.flags & (RS_FRAME_INDIRECT_DIFFUSE | RS_FRAME_INDIRECT_SPECULAR)) != 0u; }
+bool rsWantsLobes() {
+    return rsPass.shades != 0u && (rsFrame.flags & (RS_FRAME_INDIRECT_DIFFUSE | RS_FRAME_INDIRECT_SPECULAR)) != 0u;
+}
 #endif
 // What a pixel shines of itself: its emission, and indirect light as far as it has been added.
-vec3 rsLoadOwnLight(uvec2 pixel) {
-    uint bits = rsSurfacesFrame[rsIndex(pixel)].y;
-    return (rsFrame.flags & RS_FRAME_INDIRECT) != 0u ? rsUnpackSignedRadiance(bits) : rsUnpackRadiance(bits);
-}
+vec3 rsLoadOwnLight(uvec2 pixel) { return rsUnpackRadiance(rsSurfacesFrame[rsIndex(pixel)].y); }
 uint rsPackOwnLight(vec3 light, inout RsRandom random) {
     if ((rsFrame.flags & RS_FRAME_INDIRECT) == 0u) return rsPackRadiance(light);
-    return rsPackSignedRadiance(light, vec3(rsNext2(random), rsNext(random)));
+    return rsPackRadiance(light, vec3(rsNext2(random), rsNext(random)));
 }
 void rsOnRejectedWeight() {
     if ((rsFrame.flags & RS_FRAME_COUNT) != 0u) atomicAdd(rsCounters.rejectedWeights, 1u);

@@ -86,7 +86,7 @@ TEST_F(Layout, EveryStructIsTheSameInCppAndGlsl) {
 
 TEST_F(Layout, SizesThatMemoryBudgetsCountOn) {
     EXPECT_EQ(sizeof(RsReservoir), 16u);
-    EXPECT_EQ(sizeof(RsGiReservoir), 32u);
+    EXPECT_EQ(sizeof(RsGiReservoir), 16u * RS_GI_STREAMS);
     EXPECT_EQ(sizeof(RsPackedLight), 16u * RS_LIGHT_STRIDE);
     EXPECT_EQ(sizeof(RsAliasEntry), 8u);
     EXPECT_EQ(sizeof(RsEnvironmentTexel), 12u);

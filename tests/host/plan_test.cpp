@@ -198,30 +198,14 @@ TEST(Plan, IndirectLightIsAddedOnceAndBeforeItIsWritten) {
     }
 }
 
-// Until di.candidates writes it, nobody wants the buffer that is not the history.
-TEST(Plan, IndirectLobesWaitInTheFreeBuffer) {
-    for (const Settings& settings : allSettings())
-        for (const uint32_t history : {0u, 1u}) {
-            if (settings.gi.mode == IndirectMode::Off) continue;
-            const Plan plan = makePlan({.extent = kExtent,
-                                        .history = true,
-                                        .historyIn = history,
-                                        .giHistory = true,
-                                        .indirectLobes = true},
-                                       settings);
-            bool stored = false;
-            for (const PassInfo& pass : plan.passes) {
-                if (std::string(pass.name).starts_with("di.")) break;
-                if (!isIndirect(pass)) continue;
-                EXPECT_FALSE(uses(pass, reservoirs(history), false) || uses(pass, reservoirs(history), true));
+TEST(Plan, IndirectLobesAreWrittenOnce) {
+    for (const Settings& settings : allSettings()) {
+        const PlanInput input{.extent = kExtent, .history = true, .giHistory = true, .indirectLobes = true};
+        for (const PassInfo& pass : makePlan(input, settings).passes)
+            if (isIndirect(pass)) {
                 EXPECT_EQ(uses(pass, Resource::Outputs, true), pass.shades);
-                if (pass.shades) {
-                    EXPECT_EQ(uses(pass, reservoirs(1 - history), false), stored);
-                }
-                stored = stored || uses(pass, reservoirs(1 - history), true);
             }
-            EXPECT_EQ(stored, settings.gi.mode == IndirectMode::Restir);
-        }
+    }
 }
 
 // Both halves are of one pass: they draw the same partners.

@@ -1,4 +1,5 @@
 // Indirect light against the reference path tracer, which shares no code with it.
+#include <array>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -61,8 +62,9 @@ void expectAgreement(World& world, const ReferenceBlocks& truth, const std::vect
 void expectReference(samples::SceneData scene, const std::vector<NamedSettings>& all) {
     World world(std::move(scene), kExtent);
     const samples::Sequence sequence{.view = world.view(), .frames = 4, .accumulate = true};
-    expectAgreement(world,
-                    referenceFromSeeds(world.referenceSeeds(32, sequence, {.paths = 20, .bounces = kBounces})), all);
+    expectAgreement(
+        world, referenceFromSeeds(world.referenceSeeds(32, sequence, {.paths = 20, .bounces = kBounces})),
+        all);
 }
 
 // Walls seen from inside.
@@ -93,20 +95,65 @@ TEST(Gi, DiffuseRoomAgreesWithTheReference) {
 
 // Part of what the boxes reflect changes with the view, and cannot be reused.
 TEST(Gi, GlossyRoomAgreesWithTheReference) {
-    expectReference(room({.color = kAlbedo, .roughness = 77.0f / 255.0f, .metalness = 51.0f / 255.0f}), {kPath, kBoth});
+    expectReference(room({.color = kAlbedo, .roughness = 77.0f / 255.0f, .metalness = 51.0f / 255.0f}),
+                    {kPath, kBoth});
 }
 
 // Where everything shines 1 and reflects a, n scatterings leave 1 + a + ... + a^n.
 TEST(Gi, ClosedRoomThatShinesHasTheKnownRadiance) {
     samples::SceneData scene;
-    addRoom(scene, {.color = kAlbedo, .roughness = 1, .emission = {1, 1, 1}, .specular = 0}, {-1, -1, -1}, {1, 1, 1});
+    addRoom(scene, {.color = kAlbedo, .roughness = 1, .emission = {1, 1, 1}, .specular = 0}, {-1, -1, -1},
+            {1, 1, 1});
     scene.views.push_back({.eye = {0.3f, 0.2f, 0.6f}, .target = {-0.7f, -1, -1}, .verticalFov = 1});
     World world(std::move(scene), kExtent);
     glm::vec3 sum(1);
     for (uint32_t i = 0; i < kBounces; ++i) sum = 1.0f + kAlbedo * sum;
     samples::FloatImage truth{kExtent.width, kExtent.height, {}};
-    for (uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) truth.rgb.insert(truth.rgb.end(), {sum.x, sum.y, sum.z});
+    for (uint32_t i = 0; i < kExtent.width * kExtent.height; ++i)
+        truth.rgb.insert(truth.rgb.end(), {sum.x, sum.y, sum.z});
     expectAgreement(world, exactly(truth), {kPath, kBoth});
+}
+
+double sumOf(const samples::FloatImage& image) {
+    double sum = 0;
+    for (float v : image.rgb) sum += double(v);
+    return sum;
+}
+
+// The lamp of a closed room that reflects half goes out: nothing of it is left in the next frame, however
+// often it was scattered, or as little as asked for. A second lamp stays, far dimmer.
+TEST(Gi, LightThatGoesOutIsGoneAtOnce) {
+    samples::SceneData walls;
+    addRoom(walls, {.color = glm::vec3(0.5f), .roughness = 1, .specular = 0}, {-2, 0, -2}, {2, 3, 2});
+    walls.views.push_back({.eye = {0, 1.3f, 1.95f}, .target = {0, 0.8f, 0}, .verticalFov = 0.9f});
+    samples::GpuScene scene(device(), walls);
+    HostView host(scene, walls.views[0], {.maxExtent = kExtent, .maxLights = 2, .indirect = true});
+    const auto bulb = [](uint32_t id, float power) {
+        restir::Light light{.id = id, .kind = restir::LightKind::Point, .position = {0.3f, 2, -0.4f}};
+        for (float& v : light.emission) v = power;
+        return light;
+    };
+    const auto afterwards = [&](uint32_t bounces, float stale) {
+        restir::Settings settings = indirect();
+        settings.di.mode = restir::DirectMode::Off;
+        settings.gi.bounces = bounces;
+        settings.gi.maxHistory = 8;
+        settings.gi.staleHistory = stale;
+        host.upload(std::array{bulb(0, 100), bulb(1, 1e-6f)});
+        double before = 0, after = 0;
+        for (uint32_t i = 0; i <= 10; ++i) {
+            restir::FrameInput input = host.input(i);
+            input.resetHistory = i == 0;
+            if (i == 10) host.upload(std::array{bulb(1, 1e-6f)});
+            (i < 10 ? before : after) = sumOf(host.frame(input, settings));
+        }
+        return after / before;
+    };
+    for (uint32_t bounces : {2u, 3u, 6u}) EXPECT_LT(afterwards(bounces, 0), 1e-6) << bounces;
+    EXPECT_LT(afterwards(2, 1), 1e-6);
+    const double echo = afterwards(6, 1);
+    EXPECT_GT(echo, 0.05);
+    EXPECT_LT(echo, 0.5);
 }
 
 TEST(Gi, NeedsItsMemoryDeclared) {

@@ -42,8 +42,7 @@ struct RsFrame {
     RsDiConstants di;
     RsDiConstants gi;   // of indirect light
     uint giBounces;     // scattering events of a path at most
-    uint giScratch;   // of RS_BIND_RESERVOIRS: the one that nothing is read from before di.candidates writes
-                      // it
+    float giStale;      // [0, 1] what last frame's paths behind a second vertex count for
 };
 
 // Push constants of every pass.
@@ -81,7 +80,7 @@ RS_SHARED_END
 #define RS_FRAME_SPECULAR 256u
 #define RS_FRAME_INDIRECT_DIFFUSE 1024u   // output image is bound
 #define RS_FRAME_INDIRECT_SPECULAR 2048u
-#define RS_FRAME_INDIRECT 512u   // rsSurfacesFrame keeps emission and indirect light, signed
+#define RS_FRAME_INDIRECT 512u   // rsSurfacesFrame keeps emission and indirect light, rounded at random
 
 #define RS_NORMAL_XYZ 0u                // xyz, signed
 #define RS_NORMAL_XYZ_UNORM 1u          // xyz, 0.5 + 0.5 n
@@ -109,7 +108,7 @@ RS_SHARED_END
 #define RS_BIND_RAY_LOG 13
 #define RS_BIND_NOTES 14           // uint: targets of partners' samples, two in a word
 #define RS_BIND_ENVIRONMENT 15     // RsEnvironmentTexel: the importance table
-#define RS_BIND_GI_RESERVOIRS 16   // [4] uvec4: A and B in two streams each
+#define RS_BIND_GI_RESERVOIRS 16   // [2 RS_GI_STREAMS] uvec4: A, then B
 #define RS_BIND_DEPTH 17
 #define RS_BIND_NORMAL 18
 #define RS_BIND_GEOMETRIC_NORMAL 19

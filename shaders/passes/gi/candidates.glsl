@@ -12,15 +12,9 @@ void main() {
     if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_GI + RS_STAGE_CANDIDATES);
-    RsGiFresh fresh = RsGiFresh(rsEmptyGiReservoir(0u), rsNoLight(), rsNoLight());
+    RsGiFresh fresh = RsGiFresh(rsEmptyGiReservoir(0u), rsNoLight(), 0.0);
     RsLightSource source = RsLightSource(rsFrame.lightCount, rsFrame.gi.treeShare);
     if (s.valid) fresh = rsGiCandidate(s, source, rsFrame.giBounces, rsFrame.gi.lightCandidates, random);
-    if (rsPass.shades != 0u) {   // nothing is reused
-        rsAddIndirect(pixel, fresh.all.radiance, random);
-        if (rsWantsLobes()) rsWriteIndirectLobes(pixel, rsNoLight(), fresh.all);
-    } else {
-        rsAddIndirect(pixel, fresh.rest.radiance, random);
-        if (rsWantsLobes()) rsStoreRest(pixel, fresh.rest, random);
-        rsStoreGiReservoir(rsPass.target, rsIndex(pixel), fresh.reservoir);
-    }
+    if (rsPass.shades != 0u) rsShadeIndirect(pixel, fresh.shading, random);   // nothing is reused
+    else rsStoreGiReservoir(rsPass.target, rsIndex(pixel), fresh.reservoir);
 }

@@ -24,15 +24,9 @@ float rsBridgeBsdfPdf(RsSurface s, vec3 light) { return rsPdfBsdf(s, light); }
 // are, or a checkerboard.
 RsLobes rsBridgeLobes(RsSurface s, vec3 light) { return rsBsdfLobes(s, light); }
 RsLobes rsBridgeLobeFactors(RsSurface s) { return RsLobes(rsDiffuseAlbedo(s), rsSpecularFactor(s)); }
-// The part of the BSDF times cosine that looks the same from everywhere: at a hit, what other pixels may reuse.
-vec3 rsBridgeSteadyBsdf(RsSurface s, vec3 light) { return rsSteadyBsdf(s, light); }
 #elif !defined(RS_BRIDGE_LOBES)
 RsLobes rsBridgeLobes(RsSurface s, vec3 light) { return RsLobes(rsBridgeBsdf(s, light), vec3(0.0)); }   // all in one
 RsLobes rsBridgeLobeFactors(RsSurface s) { return RsLobes(vec3(1.0), vec3(0.0)); }
-#endif
-
-#if defined(RS_BRIDGE_BSDF) && !defined(RS_BRIDGE_STEADY_BSDF)
-vec3 rsBridgeSteadyBsdf(RsSurface s, vec3 light) { return vec3(0.0); }   // nothing is reused of indirect light
 #endif
 
 #ifndef RS_BRIDGE_SCENE

@@ -62,13 +62,6 @@ vec3 rsBsdf(RsSurface s, vec3 light) {
     return mix(dielectric, metal, s.metalness) * ggx.cosLight;
 }
 
-// What of it does not change with the view: the base under a dielectric seen head-on. At a slant the dielectric reflects
-// more and lets less through.
-vec3 rsSteadyBsdf(RsSurface s, vec3 light) {
-    if (!rsReflects(s, light)) return vec3(0.0);
-    return (1.0 - s.metalness) * (1.0 - 0.04 * s.specular) / RS_PI * s.baseColor * dot(s.normal, light);
-}
-
 vec3 rsDiffuseAlbedo(RsSurface s) { return (1.0 - s.metalness) * s.baseColor; }
 
 // What the specular lobe reflects at normal incidence; not 0 where that is black, since grazing light is reflected still.

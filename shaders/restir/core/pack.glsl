@@ -50,39 +50,23 @@ vec3 rsUnpackRadiance(uint bits) {
     return vec3(uvec3(bits, bits >> 9u, bits >> 18u) & 511u) * exp2(float(int(bits >> 27u) - 24));
 }
 
-// Non-negative radiance of any magnitude from 1e-37 on: 3 x 16-bit mantissas under a 16-bit exponent; error at most 2^-16 of
-// the largest channel.
-uvec2 rsPackFineRadiance(vec3 radiance) {
-    radiance = rsUpTo(radiance, 3e38);
-    float largest = max(radiance.x, max(radiance.y, radiance.z));
-    if (largest < 1e-37) return uvec2(0u);
-    int exponent;
-    frexp(largest, exponent);   // largest / 2^exponent in [0.5, 1)
-    uvec3 q = uvec3(min(ldexp(radiance, ivec3(16 - exponent)) + 0.5, 65535.0));
-    return uvec2(q.x | (q.y << 16u), q.z | (uint(exponent + 32768) << 16u));
-}
-vec3 rsUnpackFineRadiance(uvec2 bits) {
-    int exponent = int(bits.y >> 16u) - 32768;
-    return bits.y == 0u ? vec3(0.0) : ldexp(vec3(bits.x & 0xffffu, bits.x >> 16u, bits.y & 0xffffu), ivec3(exponent - 16));
-}
-
-// Radiance of either sign: a sign and 8 bits a channel under a shared exponent, rounded at random so that its mean over `u`,
-// uniform in [0, 1)^3, is exact however small it is. Magnitudes above 65,280 saturate.
-uint rsPackSignedRadiance(vec3 radiance, vec3 u) {
-    vec3 c = rsUpTo(abs(radiance), 65280.0);
+// The same rounded at random, so that its mean over `u`, uniform in [0, 1)^3, is exact however small it is.
+uint rsPackRadiance(vec3 radiance, vec3 u) {
+    vec3 c = rsUpTo(radiance, 65280.0);
     float largest = max(c.x, max(c.y, c.z));
     if (!(largest > 0.0)) return 0u;
     int exponent = int(max(floor(log2(largest)), -16.0)) + 1;
-    if (largest * exp2(float(8 - exponent)) > 255.0) exponent++;
-    uvec3 q = uvec3(c * exp2(float(8 - exponent)) + u);
-    q |= uvec3(lessThan(radiance, vec3(0.0))) << 8u;
+    if (largest * exp2(float(9 - exponent)) >= 511.0) exponent++;
+    uvec3 q = uvec3(c * exp2(float(9 - exponent)) + u);
     return q.x | (q.y << 9u) | (q.z << 18u) | (uint(exponent + 15) << 27u);
 }
-vec3 rsUnpackSignedRadiance(uint bits) {
-    uvec3 q = uvec3(bits, bits >> 9u, bits >> 18u);
-    vec3 magnitude = vec3(q & 255u) * exp2(float(int(bits >> 27u) - 23));
-    return mix(magnitude, -magnitude, notEqual(q & 256u, uvec3(0u)));
+
+// [0, 1]^3 in 3 x 10 bits, rounded at random likewise.
+uint rsPackShares(vec3 shares, vec3 u) {
+    uvec3 q = min(uvec3(rsSaturate(shares) * 1023.0 + u), 1023u);
+    return q.x | (q.y << 10u) | (q.z << 20u);
 }
+vec3 rsUnpackShares(uint bits) { return vec3(uvec3(bits, bits >> 10u, bits >> 20u) & 1023u) / 1023.0; }
 
 // [0, 1]^2 in 2 x 16 bits.
 uint rsPackUv(vec2 uv) { return packUnorm2x16(uv); }

@@ -45,12 +45,13 @@ RsPackedSurface rsPackSurface(RsSurface s) {
                            uvec2(packUnorm4x8(vec4(s.roughness, s.metalness, s.specular, 0.0)), s.materialId));
 }
 
-RsSurface rsUnpackSurface(RsPackedSurface p, RsView view, uvec2 extent, uvec2 pixel) {
+// Seen at `position` from `view`.
+RsSurface rsUnpackSurface(RsPackedSurface p, vec3 position, vec3 view) {
     RsSurface s;
     s.depth = uintBitsToFloat(p.geometry.x);
     s.valid = s.depth > 0.0;
-    s.position = rsPositionFromDepth(view, extent, vec2(pixel) + 0.5, s.depth);
-    s.view = rsTowardsEye(view, s.position);
+    s.position = position;
+    s.view = view;
     s.normal = rsUnpackNormal(p.geometry.y);
     s.geometricNormal = rsUnpackNormal(p.geometry.z);
     s.baseColor = rsUnpackColor(p.geometry.w);
@@ -60,6 +61,11 @@ RsSurface rsUnpackSurface(RsPackedSurface p, RsView view, uvec2 extent, uvec2 pi
     s.specular = material.z;
     s.materialId = p.material.y;
     return s;
+}
+
+RsSurface rsUnpackSurface(RsPackedSurface p, RsView view, uvec2 extent, uvec2 pixel) {
+    vec3 position = rsPositionFromDepth(view, extent, vec2(pixel) + 0.5, uintBitsToFloat(p.geometry.x));
+    return rsUnpackSurface(p, position, rsTowardsEye(view, position));
 }
 
 // Turns both normals to the viewer and bends the shading normal where it faces away: interpolated and mapped normals

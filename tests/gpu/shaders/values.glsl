@@ -91,15 +91,13 @@ void faced(Record r, inout Record result) {
     put(result, 3u, s.geometricNormal);
 }
 
-// Packed finely, and with a sign and three random numbers.
+// Packed with three random numbers: as radiance, and over its largest channel.
 void lightOf(Record r, inout Record result) {
-    vec3 v = asVec3(r, 1);
-    uvec2 fine = rsPackFineRadiance(v);
-    put(result, 0u, rsUnpackFineRadiance(fine));
-    uint rounded = rsPackSignedRadiance(v, asVec3(r, 4));
-    put(result, 3u, rsUnpackSignedRadiance(rounded));
+    vec3 v = asVec3(r, 1), u = asVec3(r, 4);
+    uint rounded = rsPackRadiance(v, u);
+    put(result, 0u, rsUnpackRadiance(rounded));
+    put(result, 3u, rsUnpackShares(rsPackShares(v / max(v.x, max(v.y, v.z)), u)));
     result.w[6] = rounded;
-    result.w[7] = rsPackFineRadiance(rsUnpackFineRadiance(fine)) == fine ? 1u : 0u;
 }
 
 void main() {

@@ -88,7 +88,7 @@ FILL fillFrame(RS_INOUT(RsFrame) s, int b) {
     fillDi(s.di, b + 226);
     fillDi(s.gi, b + 246);
     s.giBounces = U(b + 266);
-    s.giScratch = U(b + 267);
+    s.giStale = F(b + 267);
 }
 
 FILL fillPass(RS_INOUT(RsPass) s, int b) {

@@ -55,6 +55,7 @@ protected:
         settings.di.lightCandidates = 1;
         settings.di.bsdfCandidates = 0;
         settings.di.cutSamples = 1;
+        settings.di.treeShare = 0;   // with the tree nothing boils here
         settings.di.boilingFilter = strength;
         SeedStatistics statistics;
         error = 0;

@@ -12,7 +12,7 @@ namespace {
 using samples::build::Patch;
 
 constexpr VkExtent2D kExtent{32, 32};
-constexpr uint32_t kPictures = 48, kFrames = 10;
+constexpr uint32_t kPictures = 56, kFrames = 10;
 constexpr glm::vec3 kRadiance{3, 5, 7};
 
 samples::Sequence sequenceOf(const World& world, uint32_t firstSeed = 0) {

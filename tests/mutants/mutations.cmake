@@ -184,7 +184,3 @@ restir_mutant(jacobian_inverted "1 / |J| for |J| (section 6)"
 restir_mutant(cosine_at_the_wrong_vertex "cos phi with the normal of the first vertex (section 6)"
     restir/gi/candidates.glsl gi/candidates
     [[RsGiReservoir r = rsVertexOf(there);]] [[RsGiReservoir r = rsVertexOf(there); r.geometricNormal = rsPackNormal(-s.geometricNormal);]])
-
-restir_mutant(reused_on_the_wrong_side "a vertex lights what is behind it (section 6)"
-    restir/gi/reservoir.glsl "gi/candidates;gi/spatial"
-    [[    if (!(cosVertex > 0.0)) return none;]] [[    cosVertex = abs(cosVertex);]])

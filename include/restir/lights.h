@@ -25,16 +25,14 @@ enum class LightKind : uint8_t {
 //
 // What rays find. With DiSettings::bsdfCandidates rays that hit a triangle light, or leave the scene towards
 // the environment or a directional light with an extent, count for part of its share. So
-// - every triangle light must be a triangle of the acceleration structure whose RsInstance::firstLight leads
-// to it:
-//   the same corners in index order (barycentrics must agree; a mirrored instance needs its index order
-//   flipped), black where its material's alpha test fails, and not doubled by a coincident triangle (use
-//   twoSided). Lights that rays cannot hit: bsdfCandidates = 0;
-// - spheres, capsules, rectangles and disks are in no acceleration structure: they neither block light nor
-// show in
-//   mirrors, and only being drawn finds them, noisily in what is nearly a mirror. A host that shows a lamp's
-//   body puts it behind or inside the light, or keeps it from rays. They emit outwards: a sphere around a
-//   receiver does not light it.
+// - Every triangle light must be a triangle of the acceleration structure whose RsInstance::firstLight leads
+//   to it: the same corners in index order (barycentrics must agree; a mirrored instance needs its index
+//   order flipped), black where its material's alpha test fails, and not doubled by a coincident triangle
+//   (use twoSided). Lights that rays cannot hit: bsdfCandidates = 0.
+// - Spheres, capsules, rectangles and disks are in no acceleration structure: they neither block light nor
+//   show in mirrors, and only being drawn finds them, noisily in what is nearly a mirror. A host that shows a
+//   lamp's body puts it behind or inside the light, or keeps it from rays. They emit outwards: a sphere
+//   around a receiver does not light it.
 // A light without area, or behind what it shines on, adds nothing.
 struct Light {
     // Names the light across frames: below LightTableDesc::maxLights, unique in an upload, dense if memory
@@ -99,8 +97,8 @@ struct LightMesh {
 // What the texture of the environment light shows, for the table that it is drawn from: the texture itself,
 // or it reduced by averaging. Where it is black the texture, filtered linearly, must be. It is not kept.
 struct EnvironmentMap {
-    uint32_t width = 0,
-             height = 0;   // texels, at most 32768 each, and LightTableDesc::maxEnvironmentTexels in all
+    // Texels, at most 32768 each, and LightTableDesc::maxEnvironmentTexels in all.
+    uint32_t width = 0, height = 0;
     std::span<const float> rgb;   // 3 floats a texel, linear, [0, 1e30]; rows from the top
 };
 
@@ -112,8 +110,8 @@ struct LightTableDesc {
     // the lights next to a surface among very many (DiSettings::treeShare). 48 bytes per id, up to a power of
     // two of them, and a sort on the device.
     bool tree = true;
-    uint32_t maxEnvironmentTexels =
-        0;   // of an EnvironmentMap, 24 bytes each, half on the device; 0: no environment light
+    // Of an EnvironmentMap, 24 bytes each, half on the device; 0: no environment light.
+    uint32_t maxEnvironmentTexels = 0;
 };
 
 // What a host's own shaders draw lights from, with shaders/restir/bridge/lights.glsl. Storage buffers.

@@ -90,8 +90,7 @@ struct GiSettings {
     float treeShare = 0.75f;   // as in DiSettings
     bool temporal = true;
     // [0, 1000] frames a temporal reservoir may stand for. Things that move are followed as late as that
-    // where they are a path's second vertex or shade it. 20 were 2 to 6 % less error where only the camera
-    // moves, 4 were 5 to 37 % more.
+    // where they are a path's second vertex or shade it.
     uint32_t maxHistory = 8;
     // [0, 1] In a frame that the host recorded other lights for, what is left of the history of light
     // scattered three times and more: what such a path saw is not looked at again. Above 0: less noise, and
@@ -103,8 +102,7 @@ struct GiSettings {
     float radius = 30.0f;           // pixels, > 0
     float normalThreshold = 0.9f;   // as in DiSettings
     float depthThreshold = 0.1f;
-    // Not the defensive form: what that leaves to a pixel's own path is more than that is worth here. Half
-    // the error in the kitchen, a fifth less in the market.
+    // Not the defensive form: what that leaves to a pixel's own path is more than that is worth here.
     Weights weights = Weights::PairwisePlain;
     // Cached or Traced, as in DiSettings. None does not exist: every path is traced, so a reservoir never
     // holds what its pixel does not see.

@@ -23,7 +23,6 @@ void recordTree(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot,
         t.device->functions.vkCmdPushConstants(cmd, t.context->tablePipelineLayout,
                                                VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
     };
-    push();
     t.stopwatch.start(cmd, slot, "lights.sort");
     dispatchOfBuild(t, cmd, "lights.keys", constants.blocks);
     for (constants.shift = 0; constants.shift < kMortonBits; constants.shift += RS_TABLE_DIGIT_BITS) {

@@ -105,7 +105,7 @@ RsReservoir rsDiCandidates(RsSurface s, uint lightCount, RsDiConstants di, inout
     bool kill = di.visibility != RS_VISIBILITY_NONE;
     bool traced = kill || di.bsdfCandidates > 0u;   // else V changes nothing
     float perRound = float(di.lightCandidates), nl = float(di.initialSamples) * perRound, nb = float(di.bsdfCandidates);
-    RsLightSource source = RsLightSource(lightCount, di.treeShare);
+    RsLightSource source = rsSourceAt(RsLightSource(lightCount, di.treeShare), rsRayOrigin(s));
     RsFresh fresh = RsFresh(RS_NO_LIGHT, 0u, 0.0, 0.0);
     for (uint i = 0u; i < di.initialSamples; ++i) {
         RsChosenLight survivor = rsResampleLights(s, source, di.lightCandidates, random);

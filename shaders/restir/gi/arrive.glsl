@@ -71,10 +71,10 @@ RsArriving rsArriving(RsSurface s, RsLightSource source, uint vertices, uint lig
     RsArriving sum = RsArriving(none, none, RsFollowed(0u, vec3(0.0)));
     vec3 throughput = vec3(1.0), whole = vec3(1.0);   // without and with what the first vertex reflects
     float k = float(lightCandidates);
-    RsStrategies n = RsStrategies(source, k, 1.0);
     for (uint i = 0u; i < vertices; ++i) {
         bool first = i == 0u;
-        RsChosenLight chosen = rsResampleLights(s, source, lightCandidates, random);
+        RsStrategies n = RsStrategies(rsSourceAt(source, rsRayOrigin(s)), k, 1.0);
+        RsChosenLight chosen = rsResampleLights(s, n.source, lightCandidates, random);
         vec3 direction = rsBridgeSampleBsdf(s, vec3(rsNext2(random), rsNext(random)));
         float survival = rsNext(random);
         if (chosen.sum > 0.0 && rsUnoccluded(s, chosen.direct.incident)) {

@@ -35,7 +35,6 @@ uint rsSpreadBits(uint x) {
     return (x | x << 2u) & 0x09249249u;
 }
 
-#define RS_MORTON_BITS 30u
 #define RS_MORTON_LAST 0x3fffffffu
 
 // Along the Morton curve through the cube that holds all; `high` and `low` as in rsSceneArea.

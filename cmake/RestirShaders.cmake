@@ -1,9 +1,11 @@
 # Compiles GLSL into C++ headers at build time; also installed, for hosts with a bridge of their own.
 #
-#   restir_compile_passes(<target> [PASSES <room/stage>...] [RAYS QUERY] [BRIDGE <dir>])
-#       restir's passes (all of them by default), with the restir_bridge.glsl of <dir> instead of the standard one.
-#       <restir_embedded.h> then gives <target> a restir::ShaderPack, kEmbeddedPack, for ContextDesc::shaders, and its
-#       modules { pass "room.stage", words, wordCount } as kEmbeddedPasses[].
+#   restir_compile_passes(<target> [PASSES <room/stage>...] [RAYS <backend>...] [BRIDGE <dir>])
+#       restir's passes (all of them by default), with the restir_bridge.glsl of <dir> instead of the standard one, for ray
+#       backends QUERY (the default), SOFTWARE, or a directory with a restir_rays.glsl of its own.
+#       <restir_embedded.h> then gives <target> a restir::ShaderPack for ContextDesc::shaders and each backend,
+#       kEmbeddedQueryPack, kEmbeddedSoftwarePack and kEmbeddedOwnPack, and the first of them as kEmbeddedPack. Passes that
+#       do not trace are compiled once for all.
 #
 #   restir_compile_shaders(<target> SHADERS <file>... [INCLUDES <dir>...])
 #       the target's own shaders, which may include anything of restir's.
@@ -34,12 +36,33 @@ function(_restir_compile target)
     target_sources(${target} PRIVATE ${arg_HEADER})
 endfunction()
 
-function(restir_compile_passes target)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "RAYS;BRIDGE" "PASSES")
-    if(arg_RAYS AND NOT arg_RAYS STREQUAL QUERY)
-        message(FATAL_ERROR "restir_compile_passes: RAYS ${arg_RAYS} is unknown; there is QUERY")
+# The directory with the restir_rays.glsl of a backend, its RayBackend's name, and the one it has in symbols.
+function(_restir_ray_backend backend shader_root dir enumerator symbol)
+    set(builtin_QUERY RayQuery query)
+    set(builtin_SOFTWARE Software software)
+    if(DEFINED builtin_${backend})
+        list(GET builtin_${backend} 0 name)
+        list(GET builtin_${backend} 1 lower)
+        set(${dir} ${shader_root}/rays/${lower} PARENT_SCOPE)
+        set(${enumerator} ${name} PARENT_SCOPE)
+        set(${symbol} ${lower} PARENT_SCOPE)
+        return()
     endif()
+    get_filename_component(own ${backend} ABSOLUTE)
+    if(NOT EXISTS ${own}/restir_rays.glsl)
+        message(FATAL_ERROR "restir_compile_passes: RAYS ${backend} is neither QUERY, SOFTWARE nor a directory with a restir_rays.glsl")
+    endif()
+    set(${dir} ${own} PARENT_SCOPE)
+    set(${enumerator} Own PARENT_SCOPE)
+    set(${symbol} own PARENT_SCOPE)
+endfunction()
+
+function(restir_compile_passes target)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "BRIDGE" "RAYS;PASSES")
     _restir_shader_dirs(includes shader_root)
+    if(NOT arg_RAYS)
+        set(arg_RAYS QUERY)
+    endif()
     if(NOT arg_BRIDGE)
         set(arg_BRIDGE ${shader_root}/standard)
     endif()
@@ -51,25 +74,44 @@ function(restir_compile_passes target)
 
     set(out ${CMAKE_CURRENT_BINARY_DIR}/${target}_passes)
     file(MAKE_DIRECTORY ${out})
+    set(compiled "")
     set(pack_includes "")
-    set(pack_rows "")
-    foreach(pass IN LISTS arg_PASSES)
-        string(REPLACE / _ symbol ${pass}_query)
-        string(REPLACE / . name ${pass})
-        _restir_compile(${target}
-            SOURCE ${shader_root}/passes/${pass}.glsl HEADER ${out}/${symbol}.h SYMBOL ${symbol} STAGE comp
-            FLAGS -DRS_RAYS=0 -I${bridge} ${includes})
-        string(APPEND pack_includes "#include \"${symbol}.h\"\n")
-        string(APPEND pack_rows "    {\"${name}\", ${symbol}, sizeof ${symbol} / sizeof(uint32_t)},\n")
+    set(packs "")
+    foreach(backend IN LISTS arg_RAYS)
+        _restir_ray_backend(${backend} ${shader_root} rays_dir enumerator backend_symbol)
+        set(rows "")
+        foreach(pass IN LISTS arg_PASSES)
+            set(source ${shader_root}/passes/${pass}.glsl)
+            file(STRINGS ${source} traces REGEX "define RS_PASS_RAYS")
+            string(REPLACE / _ symbol ${pass})
+            if(traces)
+                string(APPEND symbol _${backend_symbol})
+            endif()
+            string(REPLACE / . name ${pass})
+            string(APPEND rows "    {\"${name}\", ${symbol}, sizeof ${symbol} / sizeof(uint32_t)},\n")
+            if(symbol IN_LIST compiled)
+                continue()
+            endif()
+            list(APPEND compiled ${symbol})
+            _restir_compile(${target}
+                SOURCE ${source} HEADER ${out}/${symbol}.h SYMBOL ${symbol} STAGE comp
+                FLAGS -I${bridge} -I${rays_dir} ${includes})
+            string(APPEND pack_includes "#include \"${symbol}.h\"\n")
+        endforeach()
+        string(REPLACE Ray "" short ${enumerator})
+        string(APPEND packs "constexpr restir::ShaderPack::Module kEmbedded${short}Passes[] = {\n${rows}};\n"
+            "constexpr restir::ShaderPack kEmbedded${short}Pack{RESTIR_SHADER_ABI, kEmbedded${short}Passes, restir::RayBackend::${enumerator}};\n")
+        if(NOT DEFINED first)
+            set(first ${short})
+        endif()
     endforeach()
     file(CONFIGURE OUTPUT ${out}/restir_embedded.h @ONLY CONTENT [[
 // Generated by restir_compile_passes().
 #pragma once
 #include <restir/context.h>
 @pack_includes@
-constexpr restir::ShaderPack::Module kEmbeddedPasses[] = {
-@pack_rows@};
-constexpr restir::ShaderPack kEmbeddedPack{RESTIR_SHADER_ABI, kEmbeddedPasses};
+@packs@
+static constexpr const restir::ShaderPack& kEmbeddedPack = kEmbedded@first@Pack;
 ]])
     target_include_directories(${target} PRIVATE ${out})
 endfunction()
@@ -89,7 +131,7 @@ function(restir_compile_shaders target)
         endif()
         _restir_compile(${target}
             SOURCE ${source} HEADER ${out}/${name}.spv.h SYMBOL k_${name}_spv STAGE ${stage}
-            FLAGS -DRS_RAYS=0 -I${shader_root}/standard ${includes} ${arg_INCLUDES})
+            FLAGS -I${shader_root}/standard ${includes} ${arg_INCLUDES})
     endforeach()
     target_include_directories(${target} PRIVATE ${out})
 endfunction()

@@ -17,6 +17,7 @@ struct CompileDesc {
     const char* shaderDirectory = nullptr;    // has restir, passes and standard
     const char* bridgeDirectory = nullptr;    // has the host's restir_bridge.glsl; null: the standard one
     RayBackend rays = RayBackend::RayQuery;
+    const char* raysDirectory = nullptr;   // has the host's restir_rays.glsl; for RayBackend::Own
     std::span<const char* const> passes;   // "di.shade"; empty: all of shaderDirectory
     // What the compiler has to say, a line each: "restir: <file>:<line>: <message> (<pass>)".
     MessageSink messages;

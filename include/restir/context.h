@@ -18,12 +18,13 @@ struct ShaderPack {
         size_t wordCount;
     };
     std::span<const Module> modules;
+    RayBackend rays = RayBackend::RayQuery;   // what its passes trace with
 };
 
 struct ContextDesc {
     DeviceInfo device;
-    RayBackend rays = RayBackend::RayQuery;
-    const ShaderPack* shaders = nullptr;   // null: the embedded pack; only read during create()
+    RayBackend rays = RayBackend::RayQuery;   // as `shaders`
+    const ShaderPack* shaders = nullptr;   // null: the embedded pack of `rays`; only read during create()
     uint32_t framesInFlight = 2;           // [1, 16], one value for every object made from this
     uint32_t queueFamily = 0;              // where all of it is submitted; decides whether timestamps exist
     uint32_t maxTextures = 1024;           // of the standard scene set

@@ -9,7 +9,12 @@
 
 namespace restir {
 
-enum class RayBackend : uint8_t { RayQuery };
+// How passes trace rays; each with the same estimators.
+enum class RayBackend : uint8_t {
+    RayQuery,   // VK_KHR_ray_query on FrameInput::tlas
+    Software,   // a Bvh in storage buffers, on any device
+    Own,        // the host's: a ShaderPack compiled with its restir_rays.glsl, on what it binds in set 1
+};
 
 // Extensions and features to turn on when the host makes its VkDevice. Merge them into the host's own chain,
 // or hand chain() to vkCreateDevice as pNext.
@@ -22,7 +27,7 @@ struct DeviceNeeds {
     VkPhysicalDeviceAccelerationStructureFeaturesKHR accelerationStructure{};
     VkPhysicalDeviceRayQueryFeaturesKHR rayQuery{};
 
-    // Links the structs above and returns their head. Points into this object: do not move it afterwards.
+    // Links those of the structs above that are used and returns their head. Points into this object: do not move it afterwards.
     const VkPhysicalDeviceFeatures2* chain() noexcept;
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <restir/bvh.h>
 #include <restir/frame.h>
 #include <restir/lights.h>
 #include <restir/scene.h>
@@ -25,12 +26,15 @@ struct FrameInput {
     VkExtent2D extent = {0, 0};   // pixels, at most maxExtent; a change keeps history where surfaces match
     Camera camera;
     GBuffer gbuffer;
-    VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;   // required
+    VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;   // required with RayBackend::RayQuery, else left alone
     // The structure of this Session's last recorded frame, alive and with that frame's geometry in it, which makes
     // VisibilityReuse::Traced unbiased while geometry moves. Null, or `tlas` again: nothing moved, or it is biased
     // while it does. Its instanceCustomIndex count the same records of Scene, whose current contents (alpha test) serve
     // both.
     VkAccelerationStructureKHR previousTlas = VK_NULL_HANDLE;
+    // Required with RayBackend::Software, as of its last record(); what it held before serves as previousTlas does. In
+    // place of last frame's Bvh: last frame's visibility is traced in the new one, as if nothing had moved.
+    const Bvh* bvh = nullptr;
     const Scene* scene = nullptr;                       // required with the standard bridge
     VkDescriptorSet bridgeSet = VK_NULL_HANDLE;         // required with ContextDesc::bridgeSetLayout
     const LightTable* lights = nullptr;                 // required
@@ -125,7 +129,7 @@ public:
     std::span<const BufferInfo> memory() const noexcept;   // what create() acquired
     VkBuffer rayLog() const noexcept;                      // gpu::RsLoggedRay[rayLogCapacity], or null
 
-    static Scope inputScope() noexcept;
+    static Scope inputScope(RayBackend rays = RayBackend::RayQuery) noexcept;   // ContextDesc::rays
     static Scope outputScope() noexcept;
     static Scope passScope() noexcept;   // what passes do to the SDK's own buffers
 

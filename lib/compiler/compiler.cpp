@@ -66,6 +66,12 @@ fs::path fileOf(const fs::path& root, std::string pass) {
     return root / "passes" / (pass + ".glsl");
 }
 
+// Of the backend's restir_rays.glsl.
+fs::path raysOf(const CompileDesc& desc) {
+    if (desc.rays == RayBackend::Own) return desc.raysDirectory ? desc.raysDirectory : "";
+    return fs::path(desc.shaderDirectory) / (desc.rays == RayBackend::Software ? "rays/software" : "rays/query");
+}
+
 // Null, or why nothing can be compiled.
 const char* wrongWith(const CompileDesc& desc) {
     std::error_code error;
@@ -81,6 +87,8 @@ const char* wrongWith(const CompileDesc& desc) {
         return "CompileDesc::includeDirectory is not restir's";
     if (lacks("shaderDirectory", desc.shaderDirectory, "standard/restir_bridge.glsl"))
         return "CompileDesc::shaderDirectory is not restir's";
+    if (desc.rays == RayBackend::Own && lacks("raysDirectory", desc.raysDirectory, "restir_rays.glsl"))
+        return "CompileDesc::raysDirectory has no restir_rays.glsl";
     if (desc.bridgeDirectory && lacks("bridgeDirectory", desc.bridgeDirectory, "restir_bridge.glsl"))
         return "CompileDesc::bridgeDirectory has no restir_bridge.glsl";
     return nullptr;
@@ -106,7 +114,7 @@ Result<CompiledPack> compilePasses(const CompileDesc& desc) noexcept {
     if (const char* wrong = wrongWith(desc)) return Error{Status::InvalidArgument, VK_SUCCESS, wrong};
     const fs::path root = desc.shaderDirectory;
     const fs::path bridge = desc.bridgeDirectory ? fs::path(desc.bridgeDirectory) : root / "standard";
-    const std::vector<fs::path> includes = {bridge, desc.includeDirectory, root};
+    const std::vector<fs::path> includes = {bridge, raysOf(desc), desc.includeDirectory, root};
     const Glslang glslang;
     auto impl = std::make_unique<CompiledPack::Impl>();
     impl->names.assign(desc.passes.begin(), desc.passes.end());
@@ -119,14 +127,14 @@ Result<CompiledPack> compilePasses(const CompileDesc& desc) noexcept {
                           "an unknown pass");
         std::string log;
         impl->words.push_back(
-            compileGlsl({.file = file, .includes = includes, .preamble = "#define RS_RAYS 0\n"}, log));
+            compileGlsl({.file = file, .includes = includes, .preamble = ""}, log));
         sayLog(desc.messages, log, pass);
         if (impl->words.back().empty())
             return Error{Status::InvalidArgument, VK_SUCCESS, "a pass does not compile"};
     }
     for (size_t i = 0; i < impl->names.size(); ++i)
         impl->modules.push_back({impl->names[i].c_str(), impl->words[i].data(), impl->words[i].size()});
-    impl->pack = {.shaderAbi = shaderAbi(desc.includeDirectory), .modules = impl->modules};
+    impl->pack = {.shaderAbi = shaderAbi(desc.includeDirectory), .modules = impl->modules, .rays = desc.rays};
     return CompiledPack(std::move(impl));
 }
 

@@ -34,15 +34,19 @@ Status reportMissing(const MessageSink& sink, std::span<const Flag> flags) noexc
 const VkPhysicalDeviceFeatures2* DeviceNeeds::chain() noexcept {
     head_ = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &vulkan12, .features = core};
     vulkan12.pNext = &vulkan13;
-    vulkan13.pNext = &accelerationStructure;
-    accelerationStructure.pNext = &rayQuery;
-    rayQuery.pNext = nullptr;
+    void** end = &vulkan13.pNext;
+    const auto append = [&](auto& features) {
+        *end = &features;
+        end = &features.pNext;
+    };
+    if (accelerationStructure.accelerationStructure) append(accelerationStructure);
+    if (rayQuery.rayQuery) append(rayQuery);
+    *end = nullptr;
     return &head_;
 }
 
-DeviceNeeds deviceNeeds(RayBackend) noexcept {
+DeviceNeeds deviceNeeds(RayBackend backend) noexcept {
     DeviceNeeds needs;
-    needs.extensions = kRayQueryExtensions;
     needs.core.shaderStorageImageWriteWithoutFormat = VK_TRUE;
     needs.core.shaderStorageBufferArrayDynamicIndexing = VK_TRUE;
     needs.vulkan12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
@@ -56,8 +60,10 @@ DeviceNeeds deviceNeeds(RayBackend) noexcept {
     needs.vulkan13.synchronization2 = VK_TRUE;
     needs.vulkan13.maintenance4 = VK_TRUE;
     needs.accelerationStructure.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
-    needs.accelerationStructure.accelerationStructure = VK_TRUE;
     needs.rayQuery.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
+    if (backend != RayBackend::RayQuery) return needs;
+    needs.extensions = kRayQueryExtensions;
+    needs.accelerationStructure.accelerationStructure = VK_TRUE;
     needs.rayQuery.rayQuery = VK_TRUE;
     return needs;
 }

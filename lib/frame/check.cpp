@@ -4,6 +4,7 @@
 
 #include <device/internals.h>
 #include <lights/table_impl.h>
+#include <rays/bvh_impl.h>
 #include <scene/scene_impl.h>
 
 namespace restir {
@@ -155,6 +156,17 @@ Status checkDebug(const MessageSink& sink, const FrameInput& frame, const Settin
     return Status::Ok;
 }
 
+Status checkStructure(const Session::Impl& s, const FrameInput& frame) noexcept {
+    const MessageSink& sink = s.device().sink();
+    if (s.context->rays == RayBackend::RayQuery && !frame.tlas) return refuse(sink, "restir: FrameInput::tlas is null");
+    if (s.context->rays != RayBackend::Software) return Status::Ok;
+    if (!frame.bvh) return refuse(sink, "restir: FrameInput::bvh is null, RayBackend::Software needs it");
+    const Bvh::Impl& bvh = Internals::of(*frame.bvh);
+    if (bvh.context != s.context) return refuse(sink, "restir: FrameInput::bvh is of another Context");
+    if (bvh.generation == 0) return refuse(sink, "restir: FrameInput::bvh has no Bvh::record yet");
+    return Status::Ok;
+}
+
 Status checkObjects(const Session::Impl& s, const FrameInput& frame) noexcept {
     const MessageSink& sink = s.device().sink();
     const LightTable::Impl& lights = Internals::of(*frame.lights);
@@ -185,7 +197,7 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
         return refuse(sink, "restir: FrameInput::extent is %u x %u, maxExtent %u x %u", e.width, e.height,
                       max.width, max.height);
     if (!frame.lights) return refuse(sink, "restir: FrameInput::lights is null");
-    if (!frame.tlas) return refuse(sink, "restir: FrameInput::tlas is null");
+    if (Status status = checkStructure(s, frame); status != Status::Ok) return status;
     if (Status status = checkObjects(s, frame); status != Status::Ok) return status;
     if (!std::isfinite(frame.exposure) || frame.exposure < 0)
         return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
@@ -211,16 +223,23 @@ bool lightsKnown(const Session::Impl& s, const FrameInput& frame) noexcept {
     return s.history.lights == lights.serial && lights.generation - s.history.lightGeneration <= 1;
 }
 
+// Whether last frame's instances are still there, or have never been.
+bool structureKnown(const Session::Impl& s, const FrameInput& frame) noexcept {
+    if (s.context->rays != RayBackend::Software) return true;
+    const Bvh::Impl& bvh = Internals::of(*frame.bvh);
+    return s.history.bvh != bvh.serial || bvh.generation - s.history.bvhGeneration <= 1;
+}
+
 }   // namespace
 
 bool historyUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
     return s.history.direct && !frame.resetHistory && s.history.visibility == settings.di.visibility &&
-           lightsKnown(s, frame);
+           lightsKnown(s, frame) && structureKnown(s, frame);
 }
 
 bool giHistoryUsable(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
     return s.history.indirect && !frame.resetHistory && s.history.giVisibility == settings.gi.visibility &&
-           lightsKnown(s, frame);
+           lightsKnown(s, frame) && structureKnown(s, frame);
 }
 
 }   // namespace restir

@@ -8,7 +8,7 @@ namespace restir {
 // The message sink names the first field that is wrong, and its value.
 Status checkFrame(const Session::Impl& session, const FrameInput& frame, const Settings& settings) noexcept;
 
-// Whether the last frame can be reused: recorded, not cut, its lights one generation old at
+// Whether the last frame can be reused: recorded, not cut, its lights and its Bvh one generation old at
 // most, and its samples killed or not as the settings have it now: weights that ignore visibility are wrong for samples
 // that depend on it, and the other way round.
 bool historyUsable(const Session::Impl& session, const FrameInput& frame, const Settings& settings) noexcept;

@@ -7,6 +7,7 @@
 
 #include <device/internals.h>
 #include <lights/table_impl.h>
+#include <rays/bvh_impl.h>
 
 namespace restir {
 namespace {
@@ -138,6 +139,12 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     }
     c.giBounces = settings.gi.bounces;
     c.giStale = lightsChanged ? settings.gi.staleHistory : 1.0f;
+    if (s.context->rays == RayBackend::Software) {
+        const Bvh::Impl& bvh = Internals::of(*frame.bvh);
+        const bool moved = s.history.bvh == bvh.serial && s.history.bvhGeneration != bvh.generation;
+        c.bvhRoot = bvh.root();
+        c.bvhPreviousRoot = moved ? bvh.previousRoot() : bvh.root();
+    }
     return c;
 }
 

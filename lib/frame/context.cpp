@@ -36,12 +36,21 @@ VkResult makePipeline(const Context::Impl& c, const ShaderPack::Module& module, 
     return vk;
 }
 
+const ShaderPack& embeddedPack(RayBackend rays) noexcept {
+    return rays == RayBackend::Software ? kEmbeddedSoftwarePack : kEmbeddedQueryPack;
+}
+
 Result<bool> makePipelines(Context::Impl& c, const ShaderPack& pack) noexcept {
     const MessageSink& sink = c.device.sink();
     if (pack.shaderAbi != RESTIR_SHADER_ABI) {
         report(sink, Severity::Error, "restir: ContextDesc::shaders has ABI %u, this library %d", pack.shaderAbi,
                RESTIR_SHADER_ABI);
         return Error{Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders was built against another ABI"};
+    }
+    if (pack.rays != c.rays) {
+        report(sink, Severity::Error, "restir: ContextDesc::shaders trace with RayBackend %d, ContextDesc::rays is %d",
+               int(pack.rays), int(c.rays));
+        return Error{Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders was built for another ray backend"};
     }
     for (Context::Impl::Pipeline& entry : c.pipelines) {
         const ShaderPack::Module* module = findModule(pack, entry.pass);
@@ -69,6 +78,9 @@ Status checkDesc(const ContextDesc& desc) noexcept {
         return refuse(sink, "restir: DeviceInfo::memory needs both acquire and release, or neither");
     if (desc.framesInFlight < 1 || desc.framesInFlight > 16)
         return refuse(sink, "restir: ContextDesc::framesInFlight is %u, must be in [1, 16]", desc.framesInFlight);
+    if (desc.rays > RayBackend::Own) return refuse(sink, "restir: ContextDesc::rays is %d", int(desc.rays));
+    if (desc.rays == RayBackend::Own && !desc.shaders)
+        return refuse(sink, "restir: ContextDesc::shaders is null, RayBackend::Own needs one");
     if (desc.maxTextures < 1) return refuse(sink, "restir: ContextDesc::maxTextures is 0");
     return Status::Ok;
 }
@@ -104,6 +116,7 @@ Status checkLimits(const Context::Impl& c, const ContextDesc& desc) noexcept {
     const uint32_t textures = desc.bridgeSetLayout ? 0 : desc.maxTextures;
     uint32_t storage = 2, sampled = textures, images = 0;   // the scene set's
     for (uint32_t i = 0; i < RS_BIND_COUNT; ++i) {
+        if (!isBound(i, c.rays)) continue;
         if (bindingType(i) == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER) storage += bindingCount(i);
         if (bindingType(i) == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE) ++sampled;
         if (bindingType(i) == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) ++images;
@@ -132,13 +145,14 @@ Result<Context> Context::create(const ContextDesc& desc) noexcept {
     if (Status s = checkDesc(desc); s != Status::Ok) return Error{s, VK_SUCCESS, "ContextDesc is invalid"};
     auto impl = std::make_unique<Impl>();
     impl->device.info = desc.device;
+    impl->rays = desc.rays;
     impl->framesInFlight = desc.framesInFlight;
     impl->maxTextures = desc.maxTextures;
     if (Status s = queryDevice(impl->device, desc.queueFamily); s != Status::Ok)
         return Error{s, VK_SUCCESS, "the device cannot be used"};
     if (Status s = checkLimits(*impl, desc); s != Status::Ok) return Error{s, VK_SUCCESS, "the device's limits are too low"};
     if (auto made = makeLayouts(*impl, desc.bridgeSetLayout); !made) return made.error();
-    if (auto made = makePipelines(*impl, desc.shaders ? *desc.shaders : kEmbeddedPack); !made) return made.error();
+    if (auto made = makePipelines(*impl, desc.shaders ? *desc.shaders : embeddedPack(desc.rays)); !made) return made.error();
     return Context(std::move(impl));
 }
 

@@ -11,9 +11,11 @@ namespace restir {
 
 struct Context::Impl {
     Device device;
+    RayBackend rays = RayBackend::RayQuery;
     uint32_t framesInFlight = 0;
     uint32_t maxTextures = 0;
     mutable std::atomic<uint64_t> lightTables = 0;   // made so far
+    mutable std::atomic<uint64_t> bvhs = 0;
     bool ownsSceneLayout = false;
     VkDescriptorSetLayout frameLayout = VK_NULL_HANDLE;   // set 0
     VkDescriptorSetLayout sceneLayout = VK_NULL_HANDLE;   // set 1: ours or the host's bridge's

@@ -3,6 +3,7 @@
 #include <device/internals.h>
 #include <frame/layouts.h>
 #include <lights/table_impl.h>
+#include <rays/bvh_impl.h>
 
 namespace restir {
 namespace {
@@ -46,7 +47,7 @@ private:
     }
 
     static constexpr uint32_t kMax =
-        RS_BIND_COUNT + 2 * RS_GI_STREAMS;   // the reservoirs are two, those of indirect light so many
+        RS_BIND_COUNT + 2 * RS_GI_STREAMS + 2;   // the reservoirs are two, those of indirect light so many, corners of a Bvh three
     VkDescriptorSet set_;
     uint32_t count_ = 0;
     VkWriteDescriptorSet writes_[kMax];
@@ -54,6 +55,22 @@ private:
     VkDescriptorImageInfo images_[kMax];
     VkWriteDescriptorSetAccelerationStructureKHR structures_[kMax];
 };
+
+// What the backend traces in.
+void writeStructure(Writer& w, RayBackend rays, const FrameInput& frame) noexcept {
+    if (rays == RayBackend::RayQuery) {
+        w.accelerationStructure(RS_BIND_TLAS, frame.tlas);
+        w.accelerationStructure(RS_BIND_PREVIOUS_TLAS, frame.previousTlas ? frame.previousTlas : frame.tlas);
+    }
+    if (rays == RayBackend::Software) {
+        const Bvh::Impl& bvh = Internals::of(*frame.bvh);
+        w.buffer(RS_BIND_BVH_NODES, bvh.buffer(BvhBuffer::Nodes));
+        w.buffer(RS_BIND_BVH_CORNERS, bvh.buffer(BvhBuffer::Corners0), 0);
+        w.buffer(RS_BIND_BVH_CORNERS, bvh.buffer(BvhBuffer::Corners1), 1);
+        w.buffer(RS_BIND_BVH_CORNERS, bvh.buffer(BvhBuffer::Corners2), 2);
+        w.buffer(RS_BIND_BVH_INSTANCES, bvh.buffer(BvhBuffer::Instances));
+    }
+}
 
 }   // namespace
 
@@ -74,8 +91,7 @@ void writeDescriptors(const Session::Impl& s, const FrameInput& frame, uint32_t 
     w.buffer(RS_BIND_PREVIOUS_LIGHTS, previousLights);
     w.buffer(RS_BIND_ALIAS, lights.alias());
     if (lights.hasTree) w.buffer(RS_BIND_LIGHT_TREE, lights.buffer(TableBuffer::Tree));
-    w.accelerationStructure(RS_BIND_TLAS, frame.tlas);
-    w.accelerationStructure(RS_BIND_PREVIOUS_TLAS, frame.previousTlas ? frame.previousTlas : frame.tlas);
+    writeStructure(w, s.context->rays, frame);
     w.buffer(RS_BIND_COUNTERS, s.buffer(Counters));
     w.buffer(RS_BIND_RAY_LOG, s.buffer(RayLog));
     w.buffer(RS_BIND_NOTES, s.buffer(Notes));

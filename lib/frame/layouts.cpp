@@ -21,14 +21,16 @@ VkResult makeSetLayout(const Device& device, std::span<const VkDescriptorSetLayo
 VkResult makeFrameLayout(Context::Impl& c) noexcept {
     VkDescriptorSetLayoutBinding bindings[RS_BIND_COUNT];
     VkDescriptorBindingFlags flags[RS_BIND_COUNT];
+    uint32_t count = 0;
     for (uint32_t i = 0; i < RS_BIND_COUNT; ++i) {
-        bindings[i] = {.binding = i,
-                       .descriptorType = bindingType(i),
-                       .descriptorCount = bindingCount(i),
-                       .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
-        flags[i] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // absent images stay unbound behind a flag
+        if (!isBound(i, c.rays)) continue;
+        bindings[count] = {.binding = i,
+                           .descriptorType = bindingType(i),
+                           .descriptorCount = bindingCount(i),
+                           .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
+        flags[count++] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // absent images stay unbound behind a flag
     }
-    return makeSetLayout(c.device, bindings, flags, c.frameLayout);
+    return makeSetLayout(c.device, {bindings, count}, {flags, count}, c.frameLayout);
 }
 
 VkResult makeSceneLayout(Context::Impl& c) noexcept {

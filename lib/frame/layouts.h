@@ -12,7 +12,10 @@ constexpr VkDescriptorType bindingType(uint32_t binding) noexcept {
         case RS_BIND_FRAME: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
         case RS_BIND_TLAS:
         case RS_BIND_PREVIOUS_TLAS: return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
-        case RS_BIND_LIGHT_TREE: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        case RS_BIND_LIGHT_TREE:
+        case RS_BIND_BVH_NODES:
+        case RS_BIND_BVH_CORNERS:
+        case RS_BIND_BVH_INSTANCES: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
         default:
             if (binding >= RS_BIND_RADIANCE) return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
             return binding >= RS_BIND_DEPTH ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
@@ -20,7 +23,24 @@ constexpr VkDescriptorType bindingType(uint32_t binding) noexcept {
 }
 
 constexpr uint32_t bindingCount(uint32_t binding) noexcept {
-    return binding == RS_BIND_RESERVOIRS ? 2 : binding == RS_BIND_GI_RESERVOIRS ? 2 * RS_GI_STREAMS : 1;
+    switch (binding) {
+        case RS_BIND_RESERVOIRS: return 2;
+        case RS_BIND_GI_RESERVOIRS: return 2 * RS_GI_STREAMS;
+        case RS_BIND_BVH_CORNERS: return 3;
+        default: return 1;
+    }
+}
+
+// Whether the layout of a backend has the binding.
+constexpr bool isBound(uint32_t binding, RayBackend rays) noexcept {
+    switch (binding) {
+        case RS_BIND_TLAS:
+        case RS_BIND_PREVIOUS_TLAS: return rays == RayBackend::RayQuery;
+        case RS_BIND_BVH_NODES:
+        case RS_BIND_BVH_CORNERS:
+        case RS_BIND_BVH_INSTANCES: return rays == RayBackend::Software;
+        default: return true;
+    }
 }
 
 // Fills all layouts of the Context.

@@ -8,6 +8,7 @@
 #include <frame/constants.h>
 #include <frame/descriptors.h>
 #include <lights/table_impl.h>
+#include <rays/bvh_impl.h>
 #include <scene/scene_impl.h>
 
 namespace restir {
@@ -98,6 +99,7 @@ Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame,
     std::memcpy(s.buffers.mapped<uint8_t>(s.constantsOf(frame.frameSlot)), &constants, sizeof constants);
     const bool sameLights = !(history || giHistory) || lights.generation == s.history.lightGeneration;
     writeDescriptors(s, frame, surfaces, sameLights ? lights.current() : lights.previous());
+    const Bvh::Impl* bvh = s.context->rays == RayBackend::Software ? &Internals::of(*frame.bvh) : nullptr;
     s.preparedSlot = frame.frameSlot;
     s.preparedScene = s.context->ownsSceneLayout ? Internals::of(*frame.scene).set : frame.bridgeSet;
     s.preparedDone = 0;
@@ -112,6 +114,8 @@ Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame,
                  .view = constants.view,
                  .lights = lights.serial,
                  .lightGeneration = lights.generation,
+                 .bvh = bvh ? bvh->serial : 0,
+                 .bvhGeneration = bvh ? bvh->generation : 0,
                  .field = constants.di.field,
                  .visibility = settings.di.visibility,
                  .giVisibility = settings.gi.visibility};

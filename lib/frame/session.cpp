@@ -48,7 +48,7 @@ VkResult makeSets(Session::Impl& s) noexcept {
     const Functions& f = c.device.functions;
     std::vector<VkDescriptorPoolSize> sizes;
     for (uint32_t i = 0; i < RS_BIND_COUNT; ++i)
-        sizes.push_back({bindingType(i), bindingCount(i) * c.framesInFlight});
+        if (isBound(i, c.rays)) sizes.push_back({bindingType(i), bindingCount(i) * c.framesInFlight});
     const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                               .maxSets = c.framesInFlight,
                                               .poolSizeCount = uint32_t(sizes.size()),
@@ -177,10 +177,11 @@ VkBuffer Session::rayLog() const noexcept {
     return impl_->desc.rayLogCapacity ? impl_->buffer(SessionBuffer::RayLog) : VK_NULL_HANDLE;
 }
 
-Scope Session::inputScope() noexcept {
-    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
-                VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+Scope Session::inputScope(RayBackend rays) noexcept {
+    VkAccessFlags2 access =
+        VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    if (rays == RayBackend::RayQuery) access |= VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
+    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, access};
 }
 
 Scope Session::outputScope() noexcept {

@@ -39,6 +39,8 @@ struct History {
     gpu::RsView view{};
     uint64_t lights = 0;   // serial of the table it was drawn from, and that table's generation
     uint64_t lightGeneration = 0;
+    uint64_t bvh = 0;   // likewise of the Bvh
+    uint64_t bvhGeneration = 0;
     uint32_t field = 0;   // which pixels have reservoirs: restir/di/field.glsl
     VisibilityReuse visibility = VisibilityReuse::None, giVisibility = VisibilityReuse::None;   // whether samples were killed
 };

@@ -18,6 +18,7 @@ void addBias(CLI::App& app);     // what its mean converges to
 void addTable(CLI::App& app);    // what addBias() found, as text
 void addPlot(CLI::App& app);     // and as pictures
 void addLights(CLI::App& app);   // what lights that all move cost
+void addRays(CLI::App& app);     // how fast rays alone are
 
 // --row NAME='settings', repeatable.
 void addRows(CLI::App& app, std::vector<std::string>& texts);

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
     bench::addTable(app);
     bench::addPlot(app);
     bench::addLights(app);
+    bench::addRays(app);
     try {
         app.parse(argc, argv);   // runs the subcommand
     } catch (const CLI::Success& answer) {

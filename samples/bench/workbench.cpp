@@ -41,16 +41,18 @@ void addScene(CLI::App& command, SceneOptions& options) {
         ->check(CLI::Range(1.0, 1000.0))
         ->type_name("X");
     command.add_option("--animate", options.animation, "one of the scene's animations")->type_name("NAME");
+    samples::addRays(command, options.rays);
     addRows(command, options.rows);
     samples::addSettingOptions(command, options.settings);
 }
 
 Contender::Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
-                     const samples::Sequence& sequence, std::string name, const restir::Settings& settings)
+                     const samples::Sequence& sequence, std::string name, const restir::Settings& settings,
+                     restir::RayBackend rays)
     : name_(std::move(name)), settings_(settings), extent_(extent), sequence_(sequence) {
     restir::SessionDesc session{.rayLogCapacity = extent_.width * extent_.height * kLoggedRays};
     samples::declareFor(settings, session);
-    renderer_ = std::make_unique<samples::Renderer>(device, scene, extent_, session);
+    renderer_ = std::make_unique<samples::Renderer>(device, scene, extent_, session, samples::LightingDesc{.rays = rays});
 }
 
 proof::FramePair Contender::render(uint32_t seed, uint32_t frames) {
@@ -82,7 +84,7 @@ double Contender::bytesPerPixel() const {
     return bytes / (double(extent_.width) * extent_.height);
 }
 
-Workbench::Workbench(const SceneOptions& options) : extent_(options.extent) {
+Workbench::Workbench(const SceneOptions& options) : extent_(options.extent), rays_(options.rays) {
     samples::SceneData data = load(options.scene);
     sequence_ = {.view = viewOf(data, options.zoom), .orbitDegrees = options.move};
     if (!options.animation.empty()) sequence_.motion = samples::findMotion(data, options.animation);
@@ -101,7 +103,7 @@ Workbench::Workbench(const SceneOptions& options) : extent_(options.extent) {
 }
 
 Contender& Workbench::add(const std::string& name, const restir::Settings& settings) {
-    return contenders_.emplace_back(device_, *scene_, extent_, sequence_, name, settings);
+    return contenders_.emplace_back(device_, *scene_, extent_, sequence_, name, settings, rays_);
 }
 
 }   // namespace bench

@@ -19,6 +19,7 @@ struct SceneOptions {
     float move = 0.2f;
     float zoom = 1;
     std::string animation;
+    restir::RayBackend rays = restir::RayBackend::RayQuery;
     restir::Settings settings;   // of every row, before its own settings
     std::vector<std::string> rows;
 };
@@ -28,7 +29,7 @@ void addScene(CLI::App& command, SceneOptions& options);
 class Contender {
 public:
     Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
-              const samples::Sequence& sequence, std::string name, const restir::Settings& settings);
+              const samples::Sequence& sequence, std::string name, const restir::Settings& settings, restir::RayBackend rays);
 
     const std::string& name() const { return name_; }
     const restir::Settings& settings() const { return settings_; }
@@ -60,6 +61,7 @@ public:
 
 private:
     VkExtent2D extent_;
+    restir::RayBackend rays_;
     samples::Sequence sequence_;   // but for its frames and seed
     samples::Device device_;
     std::unique_ptr<samples::GpuScene> scene_;

@@ -46,9 +46,6 @@ bool hasExtension(VkPhysicalDevice physical, const char* name) {
 }
 
 bool canTraceRays(VkPhysicalDevice physical) {
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(physical, &properties);
-    if (properties.apiVersion < VK_API_VERSION_1_3) return false;
     return std::all_of(kRayExtensions.begin(), kRayExtensions.end(),
                        [&](const char* name) { return hasExtension(physical, name); });
 }
@@ -79,8 +76,6 @@ void addOwnFeatures(restir::DeviceNeeds& needs) {
     needs.vulkan12.runtimeDescriptorArray = VK_TRUE;
     needs.vulkan12.shaderSampledImageArrayNonUniformIndexing = VK_TRUE;
     needs.vulkan13.synchronization2 = VK_TRUE;
-    needs.accelerationStructure.accelerationStructure = VK_TRUE;
-    needs.rayQuery.rayQuery = VK_TRUE;
 }
 
 template <class Function>
@@ -113,13 +108,13 @@ VKAPI_ATTR VkBool32 VKAPI_CALL Device::report(VkDebugUtilsMessageSeverityFlagBit
     return VK_FALSE;
 }
 
-Device::Device(const DeviceDesc& desc) {
+Device::Device(const DeviceDesc& desc) : hasRays_(desc.rays) {
     try {
         makeInstance(desc);
         if (desc.makeSurface) surface_ = desc.makeSurface(instance_);
         pickPhysical();
         makeDevice();
-        loadRayFunctions();
+        if (hasRays_) loadRayFunctions();
     } catch (...) {
         release();
         throw;
@@ -184,6 +179,12 @@ void Device::makeInstance(const DeviceDesc& desc) {
     samples::check(create(instance_, &messengerInfo, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
 }
 
+bool Device::isFit(VkPhysicalDevice physical) const {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    return properties.apiVersion >= VK_API_VERSION_1_3 && (!hasRays_ || canTraceRays(physical));
+}
+
 void Device::pickPhysical() {
     uint32_t count = 0;
     samples::check(vkEnumeratePhysicalDevices(instance_, &count, nullptr), "vkEnumeratePhysicalDevices");
@@ -191,7 +192,7 @@ void Device::pickPhysical() {
     samples::check(vkEnumeratePhysicalDevices(instance_, &count, all.data()), "vkEnumeratePhysicalDevices");
     uint32_t tracing = 0;
     for (VkPhysicalDevice candidate : all) {
-        if (!canTraceRays(candidate)) continue;
+        if (!isFit(candidate)) continue;
         ++tracing;
         if (!findQueueFamily(candidate)) continue;
         if (physical_ == VK_NULL_HANDLE || rank(candidate) > rank(physical_)) physical_ = candidate;
@@ -200,8 +201,8 @@ void Device::pickPhysical() {
         throw std::runtime_error(surface_ ? "no device with ray query can draw to this display"
                                           : "the device has no compute queue");
     if (physical_ == VK_NULL_HANDLE) {
-        throw std::runtime_error("no Vulkan 1.3 device with ray query (" + std::to_string(count) +
-                                 " devices without)");
+        throw std::runtime_error("no Vulkan 1.3 device with ray query, which the samples' G-buffer and reference need (" +
+                                 std::to_string(count) + " devices without)");
     }
     VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
@@ -238,13 +239,10 @@ void Device::makeDevice() {
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
     timestampBits_ = families[queueFamily_].timestampValidBits;
 
-    restir::DeviceNeeds needs = restir::deviceNeeds(restir::RayBackend::RayQuery);
+    restir::DeviceNeeds needs =
+        restir::deviceNeeds(hasRays_ ? restir::RayBackend::RayQuery : restir::RayBackend::Software);
     addOwnFeatures(needs);
     std::vector<const char*> extensions(needs.extensions.begin(), needs.extensions.end());
-    for (const char* name : kRayExtensions) {
-        const auto same = [&](const char* other) { return std::strcmp(name, other) == 0; };
-        if (std::none_of(extensions.begin(), extensions.end(), same)) extensions.push_back(name);
-    }
     if (surface_) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const float priority = 1;
     const VkDeviceQueueCreateInfo queueInfo{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,

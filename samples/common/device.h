@@ -19,6 +19,7 @@ namespace samples {
 void check(VkResult result, const char* what);
 
 struct DeviceDesc {
+    bool rays = true;        // off: as if no device had acceleration structures or ray query
     bool validate = false;   // core and synchronization validation; messages are printed and counted
     // For a window: extensions of the instance, and what makes its surface, which the Device then owns and
     // can present to.
@@ -79,6 +80,7 @@ private:
     std::optional<uint32_t> findQueueFamily(VkPhysicalDevice physical) const;
     void makeDevice();
     void loadRayFunctions();
+    bool isFit(VkPhysicalDevice physical) const;
     void release();
     [[noreturn]] void fail(const restir::Error& error, const char* what) const;
     static VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
@@ -95,6 +97,7 @@ private:
     VkCommandPool pool_ = VK_NULL_HANDLE;
     uint32_t queueFamily_ = 0;
     uint32_t timestampBits_ = 0;
+    bool hasRays_ = true;
     uint32_t scratchAlignment_ = 1;
     VkPhysicalDeviceProperties properties_{};
     std::string driver_;

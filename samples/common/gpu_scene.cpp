@@ -12,6 +12,7 @@ namespace samples {
 namespace {
 
 using restir::gpu::RsInstance;
+using restir::gpu::RsMaterial;
 
 constexpr uint32_t kMostRecords = 1u << 24;   // instanceCustomIndex has 24 bits
 constexpr uint32_t kWrapModes = 3;
@@ -76,6 +77,7 @@ GpuScene::GpuScene(const Device& device, SceneData scene) : device_(device) {
         skyMap_ = std::move(scene.sky.map);
         uploader.flush();
         buildAcceleration(scene);
+        keepGeometry(scene);
         makeSet();
     } catch (...) {
         release();
@@ -223,6 +225,7 @@ void GpuScene::buildAcceleration(const SceneData& scene) {
         entry.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
         entry.accelerationStructureReference = instance.mesh;
         instances.push_back(entry);
+        bvhInstances_.push_back({.mesh = instance.mesh, .record = record});
         record += static_cast<uint32_t>(scene.meshes[instance.mesh].geometries.size());
     }
     rest_.entryInstance = instanceOrder(scene);
@@ -230,6 +233,43 @@ void GpuScene::buildAcceleration(const SceneData& scene) {
     for (uint32_t i : rest_.entryInstance) entries.push_back(instances[i]);
     acceleration_ = Acceleration(device_, meshes, std::move(entries));
     rest_.entries = acceleration_.instances();
+}
+
+void GpuScene::keepGeometry(SceneData& scene) {
+    for (Mesh& mesh : scene.meshes) {
+        for (Geometry& geometry : mesh.geometries) {
+            geometry.normals = {};
+            geometry.uvs = {};
+        }
+    }
+    meshes_ = std::move(scene.meshes);
+    for (const RsMaterial& material : rest_.materials)
+        alphaMasked_.push_back((material.flags & RS_MATERIAL_ALPHA_MASK) != 0);
+}
+
+std::vector<restir::BvhMesh> GpuScene::makeBvhMeshes() const {
+    std::vector<restir::BvhMesh> result;
+    for (const Mesh& mesh : meshes_) {
+        std::vector<restir::BvhGeometry> geometries;
+        for (const Geometry& geometry : mesh.geometries)
+            geometries.push_back({.positions = {&geometry.positions.data()->x, 3 * geometry.positions.size()},
+                                  .indices = geometry.indices,
+                                  .opaque = !alphaMasked_[geometry.material]});
+        auto made = restir::BvhMesh::create({.geometries = geometries});
+        if (!made) throw std::runtime_error(std::string("restir::BvhMesh: ") + made.error().what);
+        result.push_back(std::move(*made));
+    }
+    return result;
+}
+
+std::vector<restir::BvhInstance> GpuScene::bvhInstances() const {
+    std::vector<restir::BvhInstance> result = bvhInstances_;
+    for (size_t i = 0; i < result.size(); ++i) {
+        const Rows rows = rowsOf(state_.worldFromObject[i]);
+        static_assert(sizeof result[i].worldFromObject == sizeof rows);
+        std::memcpy(result[i].worldFromObject, &rows, sizeof rows);
+    }
+    return result;
 }
 
 void GpuScene::startMoving() {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include <restir/bvh.h>
+
 #include "common/scene_motion.h"
 
 namespace samples {
@@ -33,6 +35,9 @@ public:
     uint32_t maxLights() const { return rest_.lights.idCount; }   // one more than the largest id
     const std::vector<restir::LightMesh>& lightMeshes() const { return rest_.lights.meshes; }
     uint32_t meshLights() const { return rest_.lights.meshLights; }   // their ids are below, all others not
+    // For RayBackend::Software: trees over the meshes, made anew by each call, and their instances as of the last record().
+    std::vector<restir::BvhMesh> makeBvhMeshes() const;
+    std::vector<restir::BvhInstance> bvhInstances() const;
     const FloatImage& skyMap() const { return skyMap_; }          // no pixels: no sky
 
     // For the samples' own shaders: set 1 of scene.glsl.
@@ -51,6 +56,7 @@ private:
     void uploadSky(Uploader& uploader, const FloatImage& map);
     void uploadInstances(Uploader& uploader, const SceneData& scene);
     void buildAcceleration(const SceneData& scene);
+    void keepGeometry(SceneData& scene);
     void makeSet();
     void writeSet(uint32_t index) const;
     void startMoving();
@@ -71,6 +77,9 @@ private:
     std::vector<GpuImage> images_;
     std::vector<VkSampler> samplers_;   // by their settings; most are never made
     std::vector<VkDescriptorImageInfo> textureInfos_;
+    std::vector<Mesh> meshes_;   // positions and indices; normals and uvs are gone
+    std::vector<restir::BvhInstance> bvhInstances_;   // at rest
+    std::vector<bool> alphaMasked_;   // by material
     RestingScene rest_;
     SceneState state_;
     uint64_t version_ = 0;

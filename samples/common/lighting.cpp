@@ -5,10 +5,11 @@
 namespace samples {
 namespace {
 
-restir::Context makeContext(Device& device, const GpuScene& scene, const restir::ShaderPack* shaders) {
+restir::Context makeContext(Device& device, const GpuScene& scene, const LightingDesc& lighting) {
     restir::ContextDesc desc;
     desc.device = device.sdkInfo();
-    desc.shaders = shaders;
+    desc.rays = lighting.rays;
+    desc.shaders = lighting.shaders;
     desc.framesInFlight = FrameSlots::kCount;
     desc.queueFamily = device.queueFamily();
     desc.maxTextures = std::max(static_cast<uint32_t>(scene.textures().size()), 1u);
@@ -33,24 +34,35 @@ restir::LightTableDesc lightsOf(const GpuScene& scene, Emitters emitters) {
 
 }   // namespace
 
-Lighting::Lighting(Device& device, GpuScene& scene, Emitters emitters, const restir::ShaderPack* shaders)
+Lighting::Lighting(Device& device, GpuScene& scene, const LightingDesc& desc)
     : device_(device),
       scene_(scene),
-      lightsDesc_(lightsOf(scene, emitters)),
-      context_(makeContext(device, scene, shaders)),
+      rays_(desc.rays),
+      lightsDesc_(lightsOf(scene, desc.emitters)),
+      context_(makeContext(device, scene, desc)),
       sdkScene_(makeScene(device, context_, scene)),
       lights_(device.require(restir::LightTable::create(context_, lightsDesc_), "restir::LightTable")) {
     if (const FloatImage& sky = scene.skyMap(); !sky.rgb.empty())
         device.check(lights_.uploadEnvironment({sky.width, sky.height, sky.rgb}),
                      "restir::LightTable::uploadEnvironment");
-    if (emitters == Emitters::Meshes)
+    if (desc.emitters == Emitters::Meshes)
         device.check(lights_.uploadMeshes(0, scene.lightMeshes()), "restir::LightTable::uploadMeshes");
+    if (rays_ == restir::RayBackend::Software) makeBvh();
     device.submitAndWait([&](VkCommandBuffer cmd) { upload(cmd, 0); });
+    if (bvh_) bvh_->releaseStaging();
+}
+
+void Lighting::makeBvh() {
+    const std::vector<restir::BvhMesh> meshes = scene_.makeBvhMeshes();
+    const restir::BvhDesc desc{.meshes = meshes, .maxInstances = static_cast<uint32_t>(scene_.bvhInstances().size())};
+    bvh_ = device_.require(restir::Bvh::create(context_, desc), "restir::Bvh");
+    bvhBytes_ = restir::Bvh::memoryNeeded(context_, desc);
 }
 
 void Lighting::upload(VkCommandBuffer cmd, uint32_t slot) {
     device_.check(lights_.upload(slot, scene_.lights(lightsDesc_.meshLights)), "restir::LightTable::upload");
     device_.check(lights_.record(cmd, slot, &sdkScene_), "restir::LightTable::record");
+    if (bvh_) device_.check(bvh_->record(cmd, slot, scene_.bvhInstances()), "restir::Bvh::record");
     version_ = scene_.version();
 }
 
@@ -68,6 +80,7 @@ restir::FrameInput Lighting::input(const Frame& frame, const GBufferPass& gbuffe
     input.gbuffer = gbuffer.describe();
     input.tlas = scene_.tlas();
     input.previousTlas = scene_.previousTlas();
+    input.bvh = bvh_ ? &*bvh_ : nullptr;
     input.scene = &sdkScene_;
     input.lights = &lights_;
     input.resetHistory = frame.cut;
@@ -78,8 +91,11 @@ restir::Session Lighting::makeSession(const restir::SessionDesc& desc) const {
     return device_.require(restir::Session::create(context_, desc), "restir::Session");
 }
 
-restir::BufferInfo Lighting::memory() const {
-    return {.name = "light table", .bytes = restir::LightTable::memoryNeeded(context_, lightsDesc_)};
+std::vector<restir::BufferInfo> Lighting::memory() const {
+    std::vector<restir::BufferInfo> result = {
+        {.name = "light table", .bytes = restir::LightTable::memoryNeeded(context_, lightsDesc_)}};
+    if (bvh_) result.push_back({.name = "BVH, staging included", .bytes = bvhBytes_});
+    return result;
 }
 
 }   // namespace samples

@@ -13,12 +13,12 @@ restir::SessionDesc withExtent(restir::SessionDesc desc, VkExtent2D extent) {
 }   // namespace
 
 Renderer::Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session,
-                   Emitters emitters)
+                   const LightingDesc& lighting)
     : device_(device),
       scene_(scene),
       loop_(device, extent),
       gbuffer_(device, scene, extent),
-      lighting_(device, scene, emitters),
+      lighting_(device, scene, lighting),
       session_(lighting_.makeSession(withExtent(session, extent))) {
     if (!scene.skyMap().rgb.empty())
         background_ = std::make_unique<BackgroundPass>(device, scene, gbuffer_, loop_.target(), extent);
@@ -92,7 +92,7 @@ void Renderer::collect(const Frame& frame, std::span<const float> target) {
 std::vector<restir::BufferInfo> Renderer::memory() const {
     const auto perView = session_.memory();
     std::vector<restir::BufferInfo> result(perView.begin(), perView.end());
-    result.push_back(lighting_.memory());
+    for (const restir::BufferInfo& buffer : lighting_.memory()) result.push_back(buffer);
     return result;
 }
 

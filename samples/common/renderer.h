@@ -32,14 +32,14 @@ class Renderer {
 public:
     // `session` declares what its settings need (declareFor()); its maxExtent is `extent`.
     Renderer(Device& device, GpuScene& scene, VkExtent2D extent, restir::SessionDesc session = {},
-             Emitters emitters = Emitters::Uploaded);
+             const LightingDesc& lighting = {});
 
     // Forgets all history first. With settings.debugView the picture is Output::debug of the last frame.
     FloatImage render(const Sequence& sequence, const restir::Settings& settings,
                       const std::function<void(uint32_t done, uint32_t all)>& progress = {});
 
     const RenderStats& stats() const { return stats_; }   // of the last render()
-    // What the SDK holds for this view, and for the scene's lights as the last entry.
+    // What the SDK holds for this view, then for the scene.
     std::vector<restir::BufferInfo> memory() const;
     restir::Session& session() { return session_; }
 

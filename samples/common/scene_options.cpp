@@ -54,6 +54,44 @@ void addSize(CLI::App& app, VkExtent2D& extent, const std::string& help) {
         ->type_name("WxH");
 }
 
+std::span<const RayBackendName> rayBackends() {
+    static constexpr RayBackendName kAll[] = {
+        {restir::RayBackend::RayQuery, "query", "ray query on acceleration structures"},
+        {restir::RayBackend::Software, "software", "a BVH in storage buffers, walked in compute"},
+    };
+    return kAll;
+}
+
+const RayBackendName& rayBackend(std::string_view name) {
+    std::string list;
+    for (const RayBackendName& known : rayBackends()) {
+        if (name == known.name) return known;
+        list += (list.empty() ? "" : "|") + std::string(known.name);
+    }
+    throw std::runtime_error("'" + std::string(name) + "' is none of " + list);
+}
+
+const RayBackendName& rayBackend(restir::RayBackend backend) {
+    for (const RayBackendName& known : rayBackends())
+        if (backend == known.backend) return known;
+    throw std::runtime_error("the samples do not know this ray backend");
+}
+
+void addRays(CLI::App& app, restir::RayBackend& rays) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const RayBackendName& known : rayBackends()) {
+        names.emplace_back(known.name);
+        list += (list.empty() ? "" : "|") + names.back();
+    }
+    app.add_option_function<std::string>(
+           "--rays",
+           [&rays](const std::string& text) { rays = rayBackend(text).backend; },
+           "how the SDK traces rays (query)")
+        ->check(CLI::IsMember(names))
+        ->type_name(list);
+}
+
 void addSceneOptions(CLI::App& app, SceneOptions& options) {
     auto* camera = app.add_option("--camera", options.camera, "one of the scene's cameras");
     camera->type_name("INDEX");

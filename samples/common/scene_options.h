@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,17 @@ struct SceneOptions {
 VkExtent2D parseSize(const std::string& text);
 // --size WxH into `extent`; `help` says of what.
 void addSize(CLI::App& app, VkExtent2D& extent, const std::string& help);
+
+// --rays: how the SDK traces.
+void addRays(CLI::App& app, restir::RayBackend& rays);
+struct RayBackendName {
+    restir::RayBackend backend;
+    const char* name;
+    const char* help;
+};
+std::span<const RayBackendName> rayBackends();   // that samples can choose
+const RayBackendName& rayBackend(std::string_view name);   // throws std::runtime_error naming those there are
+const RayBackendName& rayBackend(restir::RayBackend backend);
 
 // All but the scene's name. `options` must outlive the parsing.
 void addSceneOptions(CLI::App& app, SceneOptions& options);

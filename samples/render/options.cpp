@@ -52,11 +52,12 @@ void addEstimator(CLI::App& app, Options& options, std::string& nextEvent) {
     app.add_option_function<std::string>(
            "--lights",
            [&options](const std::string& text) {
-               options.emitters = text == "gpu" ? samples::Emitters::Meshes : samples::Emitters::Uploaded;
+               options.lighting.emitters = text == "gpu" ? samples::Emitters::Meshes : samples::Emitters::Uploaded;
            },
            "who makes lights of emissive triangles (host)")
         ->check(CLI::IsMember({"host", "gpu"}))
         ->type_name("host|gpu");
+    samples::addRays(app, options.lighting.rays);
     app.add_option("--spp", options.spp, "reference: paths, nee: lights, per pixel and frame")
         ->check(CLI::Range(1u, 65536u));
     app.add_option("--bounces", options.bounces,

@@ -34,7 +34,7 @@ struct Options {
     std::string animation;   // of the scene's; empty: it stands still
     bool jitter = false;
     bool previousTlas = true;
-    samples::Emitters emitters = samples::Emitters::Uploaded;
+    samples::LightingDesc lighting;
     std::string exr, png, stats;
 };
 

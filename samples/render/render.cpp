@@ -37,7 +37,7 @@ samples::FloatImage renderSdk(const Options& options, samples::Device& device, s
                               const samples::Sequence& sequence, Report& report) {
     restir::SessionDesc session;
     samples::declareFor(options.settings, session);
-    samples::Renderer renderer(device, scene, options.size, session, options.emitters);
+    samples::Renderer renderer(device, scene, options.size, session, options.lighting);
     samples::FloatImage image = renderer.render(sequence, options.settings, Progress(options.quiet));
     report.passes = renderer.stats().passes;
     report.raysPerFrame = renderer.stats().counters.rays;

@@ -22,7 +22,7 @@ struct LiveShaders::Compiled {
     restir::CompiledPack pack;
 };
 
-std::unique_ptr<LiveShaders::Compiled> LiveShaders::compile() const {
+std::unique_ptr<LiveShaders::Compiled> LiveShaders::compile(restir::RayBackend rays) const {
     std::string said;
     const auto hear = [](void* to, restir::Severity, const char* text) {
         (*static_cast<std::string*>(to) += text) += '\n';
@@ -30,6 +30,7 @@ std::unique_ptr<LiveShaders::Compiled> LiveShaders::compile() const {
     auto pack = restir::compilePasses({.includeDirectory = VIEWER_INCLUDES,
                                        .shaderDirectory = VIEWER_SHADERS,
                                        .bridgeDirectory = bridge_.c_str(),
+                                       .rays = rays,
                                        .messages = {&said, hear}});
     if (!pack) throw std::runtime_error(said.substr(0, said.find_last_not_of('\n') + 1));
     return std::make_unique<Compiled>(Compiled{std::move(*pack)});
@@ -58,7 +59,7 @@ fs::file_time_type LiveShaders::newest() const {
 struct LiveShaders::Compiled {
     restir::ShaderPack pack;
 };
-std::unique_ptr<LiveShaders::Compiled> LiveShaders::compile() const {
+std::unique_ptr<LiveShaders::Compiled> LiveShaders::compile(restir::RayBackend) const {
     throw std::runtime_error(
         "--bridge: this viewer was built without restir::compiler (Debian: glslang-dev spirv-tools)");
 }
@@ -67,11 +68,12 @@ fs::file_time_type LiveShaders::newest() const { return {}; }
 
 #endif
 
-LiveShaders::LiveShaders(std::string bridge)
+LiveShaders::LiveShaders(std::string bridge, restir::RayBackend rays)
     : bridge_(std::move(bridge)),
+      rays_(rays),
       seen_(newest()),
       looked_(std::chrono::steady_clock::now()),
-      compiled_(compile()) {}
+      compiled_(compile(rays)) {}
 LiveShaders::~LiveShaders() = default;
 
 bool LiveShaders::poll() {
@@ -81,8 +83,13 @@ bool LiveShaders::poll() {
     const fs::file_time_type changed = newest();
     if (changed == seen_) return false;
     seen_ = changed;   // whatever becomes of it: the next change is another try
-    compiled_ = compile();
+    compiled_ = compile(rays_);
     return true;
+}
+
+void LiveShaders::traceBy(restir::RayBackend rays) {
+    compiled_ = compile(rays);
+    rays_ = rays;
 }
 
 }   // namespace viewer

@@ -14,7 +14,7 @@ class LiveShaders {
 public:
     // The directory of a restir_bridge.glsl. Throws std::runtime_error if the passes do not compile with it,
     // or if the viewer was built without restir::compiler.
-    explicit LiveShaders(std::string bridge);
+    LiveShaders(std::string bridge, restir::RayBackend rays);
     ~LiveShaders();
     LiveShaders(const LiveShaders&) = delete;
     LiveShaders& operator=(const LiveShaders&) = delete;
@@ -22,14 +22,17 @@ public:
     // Looks for changes, a few times a second. True: there is another pack(). Throws std::runtime_error with
     // the compiler's words where there should be one; the last stays.
     bool poll();
+    // Compiles for another ray backend. Throws as poll().
+    void traceBy(restir::RayBackend rays);
     const restir::ShaderPack& pack() const;
 
 private:
     struct Compiled;
-    std::unique_ptr<Compiled> compile() const;
+    std::unique_ptr<Compiled> compile(restir::RayBackend rays) const;
     std::filesystem::file_time_type newest() const;
 
     std::string bridge_;
+    restir::RayBackend rays_;
     std::filesystem::file_time_type seen_;
     std::chrono::steady_clock::time_point looked_;
     std::unique_ptr<Compiled> compiled_;

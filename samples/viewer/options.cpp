@@ -20,6 +20,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
                    "pixels rendered for one of the window's, a side (1; on a CPU 0.25)")
         ->check(CLI::Range(0.05, 1.0));
     samples::addSceneOptions(app, options.scene);
+    samples::addRays(app, options.rays);
     samples::addSettingOptions(app, options.settings);
     app.add_option("--bridge", options.bridge,
                    "a directory with a restir_bridge.glsl for the library's passes, which are compiled again "

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "common/scene_options.h"
 #include "viewer/panels.h"
 
 namespace viewer {
@@ -37,6 +38,18 @@ void drawAnimation(State& state, const Facts& facts) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("the animation's frames for each one shown");
 }
 
+void drawRays(State& state) {
+    const samples::RayBackendName& now = samples::rayBackend(state.rays);
+    if (ImGui::BeginCombo("rays", now.name)) {
+        for (const samples::RayBackendName& known : samples::rayBackends()) {
+            if (ImGui::Selectable(known.name, known.backend == state.rays)) state.rays = known.backend;
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", known.help);
+        }
+        ImGui::EndCombo();
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", now.help);
+}
+
 }   // namespace
 
 void drawScene(State& state, const Facts& facts) {
@@ -47,6 +60,7 @@ void drawScene(State& state, const Facts& facts) {
             if (ImGui::Selectable(name, facts.stage.name == name)) state.load = name;
         ImGui::EndCombo();
     }
+    drawRays(state);
     ImGui::TextDisabled("or drop a .gltf or .glb file on the window");
     const auto& views = facts.stage.views;
     for (size_t i = 0; i < views.size() && i < 8; ++i) {

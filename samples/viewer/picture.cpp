@@ -142,7 +142,7 @@ std::vector<restir::PassTiming> Picture::timings(uint32_t slot) {
 std::vector<restir::BufferInfo> Picture::memory() const {
     const auto perView = session_->memory();
     std::vector<restir::BufferInfo> result(perView.begin(), perView.end());
-    result.push_back(stage_.lighting->memory());
+    for (const restir::BufferInfo& buffer : stage_.lighting->memory()) result.push_back(buffer);
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/debug_views.h"
+#include "common/scene_options.h"
 #include "common/setting_options.h"
 
 namespace viewer {
@@ -70,6 +71,7 @@ const std::map<std::string, Action>& actions() {
     static const std::map<std::string, Action> kActions = {
         {"set", [](const auto& text, State& s,
                    const Stage&) { s.settings = samples::parseSettings(text, s.settings); }},
+        {"rays", [](const auto& text, State& s, const Stage&) { s.rays = samples::rayBackend(text).backend; }},
         {"debug", [](const auto& text, State& s, const Stage&) { s.settings.debugView = parseView(text); }},
         {"split", [](const auto& text, State& s, const Stage&) { s.split = parseSwitch(text); }},
         {"denoise", [](const auto& text, State& s, const Stage&) { s.denoise = parseSwitch(text); }},

@@ -20,7 +20,8 @@ void pulse(float time, samples::SceneState& state) {
 
 }   // namespace
 
-Stage makeStage(samples::Device& device, const samples::SceneOptions& options, const restir::ShaderPack* shaders) {
+Stage makeStage(samples::Device& device, const samples::SceneOptions& options,
+                const samples::LightingDesc& lighting) {
     const auto start = std::chrono::steady_clock::now();
     Stage stage;
     stage.name = options.scene;
@@ -39,7 +40,7 @@ Stage makeStage(samples::Device& device, const samples::SceneOptions& options, c
     stage.counts.triangles = stage.scene->triangleCount();
     stage.counts.emissiveTriangles = stage.scene->emissiveTriangleCount();
     stage.counts.lights = stage.scene->lights().size();
-    stage.lighting = std::make_unique<samples::Lighting>(device, *stage.scene, samples::Emitters::Uploaded, shaders);
+    stage.lighting = std::make_unique<samples::Lighting>(device, *stage.scene, lighting);
     stage.loadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return stage;
 }

@@ -25,7 +25,8 @@ struct Stage {
     std::unique_ptr<samples::Lighting> lighting;
 };
 
-// Null shaders: the library's own. Throws std::runtime_error.
-Stage makeStage(samples::Device& device, const samples::SceneOptions& options, const restir::ShaderPack* shaders);
+// Throws std::runtime_error.
+Stage makeStage(samples::Device& device, const samples::SceneOptions& options,
+                const samples::LightingDesc& lighting);
 
 }   // namespace viewer

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <restir/device.h>
 #include <restir/settings.h>
 #include <vulkan/vulkan_core.h>
 
@@ -22,6 +23,7 @@ inline constexpr PresetName kPresets[] = {{"fast", restir::Preset::Fast},
                                           {"unbiased", restir::Preset::Unbiased}};
 
 struct State {
+    restir::RayBackend rays = restir::RayBackend::RayQuery;
     restir::Settings settings;
     FlyCamera camera;
     bool cut = true;   // the next frame shows nothing of the last one's

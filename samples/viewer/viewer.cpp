@@ -44,10 +44,11 @@ Viewer::Viewer(const Options& options)
       overlay_(device_, window_, swapchain_),
       slots_(device_) {
     const bool software = device_.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    state_.rays = options.rays;
     state_.settings = options.settings;
     state_.scale = options.scale.value_or(software ? kSoftwareScale : 1.0f);
     if (!options.script.empty()) script_.emplace(options.script);
-    if (!options.bridge.empty()) shaders_.emplace(options.bridge);
+    if (!options.bridge.empty()) shaders_.emplace(options.bridge, options.rays);
     resizeWindow();
     load(options.scene.scene);
 }
@@ -71,7 +72,7 @@ void Viewer::load(const std::string& name) {
         options.target.clear();
     }
     device_.waitIdle();
-    auto stage = std::make_unique<Stage>(makeStage(device_, options, shaders_ ? &shaders_->pack() : nullptr));
+    auto stage = std::make_unique<Stage>(makeStage(device_, options, lightingDesc()));
     picture_.reset();   // before the stage that it borrows
     stage_ = std::move(stage);
     picture_ = std::make_unique<Picture>(device_, *stage_);
@@ -87,10 +88,14 @@ void Viewer::load(const std::string& name) {
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
 }
 
+samples::LightingDesc Viewer::lightingDesc() const {
+    return {.rays = state_.rays, .shaders = shaders_ ? &shaders_->pack() : nullptr};
+}
+
 // Between two frames. What was there stays where this fails.
 void Viewer::pollShaders() try {
     if (!shaders_->poll()) return;
-    replaceShaders();
+    replaceLighting();
     std::fprintf(stderr, "restir-viewer: the passes were compiled again\n");
     ++state_.compilations;
 } catch (const std::runtime_error& error) {
@@ -99,9 +104,15 @@ void Viewer::pollShaders() try {
     ++state_.compilations;
 }
 
-void Viewer::replaceShaders() {
+// Likewise.
+void Viewer::switchRays() {
+    if (shaders_) shaders_->traceBy(state_.rays);
+    replaceLighting();
+}
+
+void Viewer::replaceLighting() {
     device_.waitIdle();
-    auto lighting = std::make_unique<samples::Lighting>(device_, *stage_->scene, samples::Emitters::Uploaded, &shaders_->pack());
+    auto lighting = std::make_unique<samples::Lighting>(device_, *stage_->scene, lightingDesc());
     picture_.reset();   // before the Context that its session is of
     stage_->lighting = std::move(lighting);
     picture_ = std::make_unique<Picture>(device_, *stage_);
@@ -133,9 +144,11 @@ void Viewer::prepare() {
     try {
         for (const std::string& path : pictures) savePicture(device_, *picture_, path);
         if (!name.empty()) replaceStage(name);
+        if (state_.rays != stage_->lighting->rays()) switchRays();
         if (!name.empty() || !pictures.empty()) state_.message.clear();
     } catch (const std::runtime_error& error) {
         refuse(error.what());
+        state_.rays = stage_->lighting->rays();
     }
     interrupted_ = interrupted_ || !pictures.empty();
     if (state_.windowSize) window_.resize(*std::exchange(state_.windowSize, {}));

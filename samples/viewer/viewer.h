@@ -32,8 +32,10 @@ private:
     void prepare();   // the wishes for this frame
     void load(const std::string& name);
     void replaceStage(const std::string& name);
+    samples::LightingDesc lightingDesc() const;
     void pollShaders();
-    void replaceShaders();
+    void switchRays();
+    void replaceLighting();
     void resizeWindow();
     void drawFrame();
     void record(VkCommandBuffer cmd, uint32_t slot, uint32_t image);

@@ -1,6 +1,5 @@
 // Set 0, and the loads and stores that the library asks its includer for. Every pass starts with this file.
 #extension GL_EXT_scalar_block_layout : require
-#extension GL_EXT_ray_query : require
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_EXT_nonuniform_qualifier : require
@@ -23,8 +22,6 @@ layout(set = RS_SET, binding = RS_BIND_LIGHTS, scalar) readonly buffer RsLights 
 layout(set = RS_SET, binding = RS_BIND_PREVIOUS_LIGHTS, scalar) readonly buffer RsOldLights { uvec4 rsPreviousLights[]; };
 layout(set = RS_SET, binding = RS_BIND_ALIAS, scalar) readonly buffer RsAlias { RsAliasEntry rsAlias[]; };
 layout(set = RS_SET, binding = RS_BIND_LIGHT_TREE, scalar) readonly buffer RsLightTree { uvec4 rsLightTree[]; };
-layout(set = RS_SET, binding = RS_BIND_TLAS) uniform accelerationStructureEXT rsTlas;
-layout(set = RS_SET, binding = RS_BIND_PREVIOUS_TLAS) uniform accelerationStructureEXT rsPreviousTlas;
 layout(set = RS_SET, binding = RS_BIND_COUNTERS, scalar) buffer RsCounterBlock { RsCounters rsCounters; };
 layout(set = RS_SET, binding = RS_BIND_RAY_LOG, scalar) buffer RsRayLog { RsLoggedRay rsRayLog[]; };
 layout(set = RS_SET, binding = RS_BIND_ENVIRONMENT, scalar) readonly buffer RsEnvironmentTable { RsEnvironmentTexel at[]; } rsEnvironment;
@@ -122,5 +119,5 @@ void rsOnRejectedWeight() {
 }
 
 #ifdef RS_PASS_RAYS
-#include "restir/rays/query.glsl"
+#include "restir_rays.glsl"
 #endif

@@ -23,6 +23,7 @@ namespace {
 constexpr int kSkipped = 77;
 constexpr double kCodeMargin = 1.15;      // times the baseline's bytes
 constexpr uint64_t kScalarSpills = 8;     // these go to a lane of a vector register, not to memory
+constexpr uint64_t kSoftwareScalarSpills = 32;   // five more buffers, held in scalar registers all along a walk
 constexpr uint64_t kRegisterMargin = 8;   // vector registers, what RDNA allocates at a time
 
 [[noreturn]] void skip(const std::string& why) {
@@ -128,6 +129,16 @@ Statistics statisticsOf(VkPipeline pipeline) {
 // ---- the SDK's way to the driver: its own layouts and pipelines, asked for their statistics ------
 
 const uint32_t* lastModule = nullptr;   // a pipeline is made right after its shader module
+const restir::ShaderPack* pack = nullptr;   // whose pipelines are being made
+
+// Of the pack's pass; empty: another pack's has been compiled, and does not trace.
+std::string nameOf(const uint32_t* words) {
+    for (const restir::ShaderPack::Module& module : kEmbeddedQueryPack.modules)
+        if (module.words == words) return pack == &kEmbeddedQueryPack ? module.pass : "";
+    for (const restir::ShaderPack::Module& module : pack->modules)
+        if (module.words == words) return std::string(module.pass) + "@software";
+    return "";
+}
 
 VKAPI_ATTR VkResult VKAPI_CALL createModule(VkDevice device, const VkShaderModuleCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkShaderModule* module) {
@@ -140,9 +151,8 @@ VKAPI_ATTR VkResult VKAPI_CALL createPipelines(VkDevice device, VkPipelineCache 
     VkComputePipelineCreateInfo asked = *info;
     asked.flags |= VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
     const VkResult result = vkCreateComputePipelines(device, cache, 1, &asked, allocator, pipeline);
-    for (const restir::ShaderPack::Module& module : kEmbeddedPasses)
-        if (module.words == lastModule && result == VK_SUCCESS)
-            compiled.push_back({module.pass, statisticsOf(*pipeline)});
+    const std::string name = nameOf(lastModule);
+    if (!name.empty() && result == VK_SUCCESS) compiled.push_back({name, statisticsOf(*pipeline)});
     return result;
 }
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceFunction(VkDevice device, const char* name) {
@@ -157,12 +167,14 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceFunction(VkInstance instance, c
     return vkGetInstanceProcAddr(instance, name);
 }
 
-void compilePasses() {
+void compilePasses(const restir::ShaderPack& passes) {
+    pack = &passes;
     const auto context = restir::Context::create({.device = {.getInstanceProcAddr = instanceFunction,
                                                              .instance = gpu.instance,
                                                              .physicalDevice = gpu.physical,
                                                              .device = gpu.device},
-                                                  .shaders = &kEmbeddedPack});
+                                                  .rays = passes.rays,
+                                                  .shaders = &passes});
     if (context) return;
     std::printf("%s\n", context.error().what);
     std::exit(1);
@@ -176,10 +188,10 @@ struct Row {
 Row rowOf(const Statistics& s) { return {s.at("VGPRs"), s.at("Subgroups per SIMD"), s.at("Code size")}; }
 
 void print() {
-    std::printf("%s, %s\n%-20s %8s %8s %8s %8s %8s %8s\n", gpu.name.c_str(), gpu.driver.c_str(), "pass",
+    std::printf("%s, %s\n%-28s %8s %8s %8s %8s %8s %8s\n", gpu.name.c_str(), gpu.driver.c_str(), "pass",
                 "VGPRs", "spilled", "scratch", "LDS", "waves", "code");
     for (const auto& [pass, s] : compiled)
-        std::printf("%-20s %8llu %8llu %8llu %8llu %8llu %8llu\n", pass.c_str(), s.at("VGPRs"),
+        std::printf("%-28s %8llu %8llu %8llu %8llu %8llu %8llu\n", pass.c_str(), s.at("VGPRs"),
                     s.at("Spilled VGPRs") + s.at("Spilled SGPRs"), s.at("Scratch size"), s.at("LDS size"),
                     s.at("Subgroups per SIMD"), s.at("Code size"));
 }
@@ -218,7 +230,8 @@ int judge(const std::map<std::string, Row>& baseline) {
     for (const auto& [pass, s] : compiled) {
         for (const char* spill : {"Spilled VGPRs", "Scratch size"})
             if (s.at(spill) > 0) fail(pass, spill, s.at(spill), 0);
-        if (s.at("Spilled SGPRs") > kScalarSpills) fail(pass, "Spilled SGPRs", s.at("Spilled SGPRs"), kScalarSpills);
+        const uint64_t scalars = pass.ends_with("@software") ? kSoftwareScalarSpills : kScalarSpills;
+        if (s.at("Spilled SGPRs") > scalars) fail(pass, "Spilled SGPRs", s.at("Spilled SGPRs"), scalars);
         const auto found = baseline.find(pass);
         if (found == baseline.end()) {
             if (!baseline.empty()) fail(pass, "is not in the baseline: make it again with --write;", 0, 0);
@@ -239,7 +252,8 @@ int main(int argc, char** argv) {
     if (argc < 3) return 2;
     makeInstance(argv[1]);
     makeDevice();
-    compilePasses();
+    compilePasses(kEmbeddedQueryPack);
+    compilePasses(kEmbeddedSoftwarePack);
     print();
     if (argc > 3) {
         write(argv[2]);

@@ -1,6 +1,8 @@
 // Every struct of include/restir/shared has the same bytes in C++ and in GLSL's scalar layout.
+#include <cstddef>
 #include <cstring>
 
+#include <restir/shared/bvh.h>
 #include <restir/shared/frame.h>
 #include <restir/shared/gi.h>
 #include <restir/shared/light_table.h>
@@ -92,6 +94,14 @@ TEST_F(Layout, SizesThatMemoryBudgetsCountOn) {
     EXPECT_EQ(sizeof(RsEnvironmentTexel), 12u);
     EXPECT_EQ(sizeof(RsLoggedRay), 32u);
     EXPECT_LE(sizeof(RsPass), 128u);
+    // Read as vectors of 16 bytes.
+    EXPECT_EQ(sizeof(RsBvhNode), 64u);
+    EXPECT_EQ(offsetof(RsBvhNode, child0), 12u);
+    EXPECT_EQ(offsetof(RsBvhNode, parent), 28u);
+    EXPECT_EQ(offsetof(RsBvhNode, child1), 44u);
+    EXPECT_EQ(sizeof(RsBvhCorner), 16u);
+    EXPECT_EQ(sizeof(RsBvhInstance), 64u);
+    EXPECT_EQ(offsetof(RsBvhInstance, root), 48u);
 }
 
 }   // namespace

@@ -51,6 +51,24 @@ TEST(DeviceNeeds, NamesRayQuery) {
     EXPECT_TRUE(names.contains(VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME));
 }
 
+TEST(DeviceNeeds, SoftwareRaysNeedNoExtension) {
+    for (restir::RayBackend rays : {restir::RayBackend::Software, restir::RayBackend::Own}) {
+        DeviceNeeds wanted = restir::deviceNeeds(rays);
+        EXPECT_TRUE(wanted.extensions.empty());
+        EXPECT_FALSE(wanted.accelerationStructure.accelerationStructure);
+        EXPECT_FALSE(wanted.rayQuery.rayQuery);
+        const auto* link = reinterpret_cast<const VkBaseInStructure*>(wanted.chain());
+        int structs = 0;
+        for (; link; link = link->pNext) ++structs;
+        EXPECT_EQ(structs, 3);
+        // What the host turns on besides comes along.
+        wanted.rayQuery.rayQuery = VK_TRUE;
+        structs = 0;
+        for (link = reinterpret_cast<const VkBaseInStructure*>(wanted.chain()); link; link = link->pNext) ++structs;
+        EXPECT_EQ(structs, 4);
+    }
+}
+
 TEST(CheckDevice, NamesWhatIsNull) {
     std::string said;
     restir::DeviceInfo info;

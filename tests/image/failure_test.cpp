@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "image/faults.h"
 #include "image/host_view.h"
@@ -74,15 +75,27 @@ protected:
         return tries > 1 ? make() : std::move(result);
     }
 
+    // What rays are traced in where the context asks for it.
+    std::optional<restir::Bvh> madeBvh(const restir::Context& context) {
+        const std::vector<restir::BvhMesh> meshes = scene->makeBvhMeshes();
+        auto bvh = made([&] { return restir::Bvh::create(context, {.meshes = meshes, .maxInstances = 2}); });
+        return bvh ? std::optional(std::move(*bvh)) : std::nullopt;
+    }
+
     samples::FloatImage render(restir::Session& session, const restir::Scene& scene_,
-                               restir::LightTable& lights, uint32_t index, VkExtent2D extent) {
+                               restir::LightTable& lights, uint32_t index, VkExtent2D extent,
+                               restir::Bvh* bvh = nullptr) {
         restir::FrameInput input = host->input(index);
+        input.bvh = bvh;
         input.extent = extent;
         input.scene = &scene_;
         input.lights = &lights;
         EXPECT_EQ(lights.upload(input.frameSlot, scene->lights()), Status::Ok);
         device().submitAndWait([&](VkCommandBuffer cmd) {
             EXPECT_EQ(lights.record(cmd, input.frameSlot), Status::Ok);
+            if (bvh) {
+                EXPECT_EQ(bvh->record(cmd, input.frameSlot, scene->bvhInstances()), Status::Ok);
+            }
             host->record(cmd, session, input, unbiased());
         });
         return host->read(input.frameSlot);
@@ -98,9 +111,12 @@ protected:
         auto lights =
             made([&] { return restir::LightTable::create(context, {.maxLights = scene->maxLights()}); });
         auto session = made([&] { return restir::Session::create(context, {.maxExtent = kSmaller}); });
-        if (!set || !lights || !session) return {};
+        const bool software = desc.rays == restir::RayBackend::Software;
+        std::optional<restir::Bvh> bvh = software ? madeBvh(context) : std::nullopt;
+        restir::Bvh* traced = bvh ? &*bvh : nullptr;
+        if (!set || !lights || !session || (software && !bvh)) return {};
         const uint32_t before = faults::calls();
-        render(*session, *set, *lights, 0, kSmaller);
+        render(*session, *set, *lights, 0, kSmaller, traced);
         EXPECT_EQ(faults::calls(), before) << "recording calls nothing that can fail";
         messages.clear();
         if (session->timings(0).empty()) {
@@ -110,9 +126,9 @@ protected:
         auto larger = made(
             [&] { return restir::Session::create(context, {.maxExtent = kExtent, .pairedNeighbours = 4}); });
         if (!larger) return {};
-        render(*session, *set, *lights, 1, kSmaller);   // the old one goes on
+        render(*session, *set, *lights, 1, kSmaller, traced);   // the old one goes on
         *session = std::move(*larger);
-        return render(*session, *set, *lights, 2, kExtent);
+        return render(*session, *set, *lights, 2, kExtent, traced);
     }
 
     struct Row {
@@ -177,6 +193,27 @@ TEST_F(Failure, OfEveryCallInALife) {
     }
     std::printf("%u calls failed\n", sum.failed);
     EXPECT_EQ(rows.size(), kNamed.size());
+}
+
+// The same with the objects that only the software ray backend has.
+TEST_F(Failure, OfEveryCallInALifeWithABvh) {
+    desc.rays = restir::RayBackend::Software;
+    {
+        const auto context = restir::Context::create(desc);
+        ASSERT_TRUE(context);
+        faults::reset();
+        const samples::FloatImage expected = life(*context);
+        failEach(faults::calls(), [&] { return life(*context).rgb == expected.rgb; });
+    }
+    EXPECT_EQ(faults::live(), "");
+    uint32_t failed = 0;
+    for (const auto& [call, row] : rows) {
+        EXPECT_EQ(row.refused, row.failed) << call;
+        EXPECT_EQ(row.leaks + row.wrong + row.strangers + row.changed, 0u) << call;
+        failed += row.failed;
+    }
+    std::printf("%u calls failed\n", failed);
+    EXPECT_GT(failed, 40u);
 }
 
 // No timings, no complaint, the same picture.

@@ -54,17 +54,26 @@ HostView::HostView(const samples::GpuScene& scene, const samples::View& view, co
     restir::ContextDesc contextInfo = contextDesc();
     contextInfo.device.memory = desc.memory;
     contextInfo.shaders = desc.shaders;
+    contextInfo.rays = desc.rays;
     context_ = made(restir::Context::create(contextInfo), "Context");
     const restir::SceneDesc sceneInfo{
         .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
     sdkScene_ = made(restir::Scene::create(*context_, sceneInfo), "Scene");
     lights_ = made(restir::LightTable::create(*context_, {.maxLights = desc_.maxLights}), "LightTable");
+    if (desc.rays == restir::RayBackend::Software) makeBvh();
     newSession();
     resize(desc.maxExtent);
     upload(scene.lights());
 }
 
 HostView::~HostView() { device().waitIdle(); }
+
+void HostView::makeBvh() {
+    const std::vector<restir::BvhMesh> meshes = scene_.makeBvhMeshes();
+    const std::vector<restir::BvhInstance> instances = scene_.bvhInstances();
+    bvh_ = made(restir::Bvh::create(*context_, {.meshes = meshes, .maxInstances = uint32_t(instances.size())}), "Bvh");
+    device().submitAndWait([&](VkCommandBuffer cmd) { device().check(bvh_->record(cmd, 0, instances), "Bvh::record"); });
+}
 
 void HostView::newSession() {
     session_.reset();
@@ -107,6 +116,7 @@ restir::FrameInput HostView::input(uint32_t index) const {
     input.camera = samples::sdkCamera(samples::makePose(view_, extent_), {0, 0});
     input.gbuffer = gbuffers_.back()->describe();
     input.tlas = scene_.tlas();
+    input.bvh = bvh_.get();
     input.scene = sdkScene_.get();
     input.lights = lights_.get();
     const auto& targets = targets_[input.frameSlot];

@@ -22,6 +22,7 @@ struct HostDesc {
     uint32_t pairedNeighbours = 0;
     bool indirect = false;
     const restir::ShaderPack* shaders = nullptr;   // null: the library's
+    restir::RayBackend rays = restir::RayBackend::RayQuery;
 };
 
 // The images of restir::Output.
@@ -76,10 +77,13 @@ public:
 
     restir::Session& session() { return *session_; }
     restir::LightTable& lights() { return *lights_; }
+    restir::Bvh* bvh() { return bvh_.get(); }   // of the scene at rest; RayBackend::Software
     const restir::Context& context() const { return *context_; }
     void newSession();
 
 private:
+    void makeBvh();
+
     const samples::GpuScene& scene_;
     samples::View view_;
     HostDesc desc_;
@@ -93,6 +97,7 @@ private:
     std::unique_ptr<restir::Context> context_;
     std::unique_ptr<restir::Scene> sdkScene_;
     std::unique_ptr<restir::LightTable> lights_;
+    std::unique_ptr<restir::Bvh> bvh_;
     std::unique_ptr<restir::Session> session_;
 };
 

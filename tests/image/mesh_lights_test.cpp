@@ -22,7 +22,7 @@ samples::FloatImage picture(const std::string& animation, Emitters emitters) {
                             .seed = 5,
                             .orbitDegrees = 1,
                             .motion = samples::findMotion(scene, animation)};
-    World world(std::move(scene), kExtent, emitters);
+    World world(std::move(scene), kExtent, {.emitters = emitters});
     return world.render(sequence, unbiased());
 }
 

@@ -111,7 +111,7 @@ void moveAll(float time, SceneState& state) {
 class MixedLights : public testing::Test {
 protected:
     static World& world() {
-        static World world(fair(), kExtent, samples::Emitters::Meshes);
+        static World world(fair(), kExtent, {.emitters = samples::Emitters::Meshes});
         return world;
     }
     static void expectUnbiased(const char* name, const samples::Motion& motion, uint32_t pictures,

@@ -123,9 +123,10 @@ protected:
         static const ReferenceBlocks reference = truth(sequence(moveObjects));
         return reference;
     }
-    static void expectUnbiased(const char* name, const Sequence& sequence, const ReferenceBlocks& reference) {
+    static void expectUnbiased(const char* name, const Sequence& sequence, const ReferenceBlocks& reference,
+                               World& by = world()) {
         Verdict verdict(1, kPictures);
-        verdict.add(name, compare(world().seeds(kPictures, sequence, settings()), reference));
+        verdict.add(name, compare(by.seeds(kPictures, sequence, settings()), reference));
     }
     static void expectUnbiased(const char* name, const Sequence& sequence) {
         expectUnbiased(name, sequence, truth(sequence));
@@ -142,6 +143,12 @@ TEST_F(Moving, CameraWithJitter) {
 TEST_F(Moving, Lights) { expectUnbiased("moving lights", sequence(moveLamps)); }
 TEST_F(Moving, SwitchingLights) { expectUnbiased("switching lights", sequence(switchLamps)); }
 TEST_F(Moving, Objects) { expectUnbiased("moving objects", sequence(moveObjects), movingObjects()); }
+
+// The software backend keeps what its instances were itself.
+TEST_F(Moving, ObjectsInBvh) {
+    World software(yard(), kExtent, {.rays = restir::RayBackend::Software});
+    expectUnbiased("moving objects, software", sequence(moveObjects), movingObjects(), software);
+}
 
 // Last frame's visibility in this frame's scene: what has just come out of the shadow stays too dark, nothing
 // is too bright.

@@ -163,7 +163,7 @@ std::vector<Trial> trials() {
 class Pack {
 public:
     explicit Pack(const MutantRow& mutant)
-        : modules_(std::begin(kEmbeddedPasses), std::end(kEmbeddedPasses)) {
+        : modules_(kEmbeddedPack.modules.begin(), kEmbeddedPack.modules.end()) {
         for (const char* pass : mutant.passes)
             if (pass) replace(pass, std::string(kMutantsDir) + "/" + mutant.name + "/" + pass + ".spv");
         pack_ = {RESTIR_SHADER_ABI, modules_};

@@ -45,7 +45,7 @@ glm::dvec3 truth(glm::dvec3 p) {
 TEST(Probe, IrradianceIsItsClosedForm) {
     for (samples::Emitters emitters : {samples::Emitters::Uploaded, samples::Emitters::Meshes}) {
         samples::GpuScene scene(device(), hall());
-        const samples::Lighting lighting(device(), scene, emitters);
+        const samples::Lighting lighting(device(), scene, {.emitters = emitters});
         const probe::Probes probes(device(), scene, lighting.lights(), kProbes);
         for (uint32_t i = 0; i < kProbes; ++i)
             probes.probes()[i] = {

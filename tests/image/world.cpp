@@ -10,8 +10,8 @@ samples::Device& device() {
     return device;
 }
 
-World::World(samples::SceneData scene, VkExtent2D extent, samples::Emitters emitters)
-    : extent_(extent), emitters_(emitters) {
+World::World(samples::SceneData scene, VkExtent2D extent, const samples::LightingDesc& lighting)
+    : extent_(extent), lighting_(lighting) {
     view_ = scene.views.empty() ? samples::frameScene(scene) : scene.views[0];
     scene_ = std::make_unique<samples::GpuScene>(device(), std::move(scene));
 }
@@ -19,7 +19,7 @@ World::World(samples::SceneData scene, VkExtent2D extent, samples::Emitters emit
 samples::Renderer& World::renderer() {
     if (!renderer_) {
         const restir::SessionDesc session{.pairedNeighbours = 16, .indirect = true};
-        renderer_ = std::make_unique<samples::Renderer>(device(), *scene_, extent_, session, emitters_);
+        renderer_ = std::make_unique<samples::Renderer>(device(), *scene_, extent_, session, lighting_);
     }
     return *renderer_;
 }

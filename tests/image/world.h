@@ -18,7 +18,7 @@ samples::Device& device();   // validation on: every test ends with noMessages()
 
 class World {
 public:
-    World(samples::SceneData scene, VkExtent2D extent, samples::Emitters emitters = samples::Emitters::Uploaded);
+    World(samples::SceneData scene, VkExtent2D extent, const samples::LightingDesc& lighting = {});
 
     samples::FloatImage render(const samples::Sequence& sequence, const restir::Settings& settings);
     samples::FloatImage reference(const samples::Sequence& sequence, const samples::ReferenceSettings& settings);
@@ -34,7 +34,7 @@ public:
 
 private:
     VkExtent2D extent_;
-    samples::Emitters emitters_;
+    samples::LightingDesc lighting_;
     samples::View view_;
     std::unique_ptr<samples::GpuScene> scene_;
     std::unique_ptr<samples::Renderer> renderer_;

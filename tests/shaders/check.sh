@@ -7,8 +7,8 @@ glslang=$1 spirv_val=$2 source=$3 out=$4
 mkdir -p "$out"
 failed=0
 
-compile() {   # compile NAME FILE
-    if ! "$glslang" -V --quiet --target-env vulkan1.3 -S comp -DRS_RAYS=0 -I"$source/shaders/standard" \
+compile() {   # compile NAME FILE [BACKEND]
+    if ! "$glslang" -V --quiet --target-env vulkan1.3 -S comp -I"$source/shaders/standard" -I"$source/shaders/rays/${3:-query}" \
         -I"$source/include" -I"$source/shaders" -o "$out/module.spv" "$2" ||
         ! "$spirv_val" --target-env vulkan1.3 --scalar-block-layout "$out/module.spv"
     then
@@ -20,6 +20,7 @@ compile() {   # compile NAME FILE
 cd "$source/shaders"
 for file in $(find passes -mindepth 2 -name '*.glsl' | sort); do
     compile "$file" "$file"
+    grep -q 'define RS_PASS_RAYS' "$file" && compile "$file, software" "$file" software
 done
 for file in $(find restir -name '*.glsl' ! -path 'restir/bridge/*' | sort); do
     cat > "$out/alone.glsl" <<EOF

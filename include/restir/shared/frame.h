@@ -43,6 +43,8 @@ struct RsFrame {
     RsDiConstants gi;   // of indirect light
     uint giBounces;     // scattering events of a path at most
     float giStale;      // [0, 1] what last frame's paths behind a second vertex count for
+    uint bvhRoot;       // RayBackend::Software: words of this frame's tree and the last one's
+    uint bvhPreviousRoot;
 };
 
 // Push constants of every pass.
@@ -102,7 +104,7 @@ RS_SHARED_END
 #define RS_BIND_LIGHTS 7
 #define RS_BIND_PREVIOUS_LIGHTS 8
 #define RS_BIND_ALIAS 9
-#define RS_BIND_TLAS 10
+#define RS_BIND_TLAS 10   // RayBackend::RayQuery, as the next
 #define RS_BIND_PREVIOUS_TLAS 11   // the current one where the host gives none
 #define RS_BIND_COUNTERS 12
 #define RS_BIND_RAY_LOG 13
@@ -124,7 +126,10 @@ RS_SHARED_END
 #define RS_BIND_INDIRECT_DIFFUSE 29
 #define RS_BIND_INDIRECT_SPECULAR 30
 #define RS_BIND_LIGHT_TREE 31   // uvec4: restir/lights/tree.glsl
-#define RS_BIND_COUNT 32
+#define RS_BIND_BVH_NODES 32   // RayBackend::Software: RsBvhNode, in vectors of 16 bytes
+#define RS_BIND_BVH_CORNERS 33   // [3] RsBvhCorner
+#define RS_BIND_BVH_INSTANCES 34   // RsBvhInstance
+#define RS_BIND_COUNT 35
 
 #define RS_SCENE_BIND_INSTANCES 0
 #define RS_SCENE_BIND_MATERIALS 1

@@ -1,4 +1,4 @@
 #include <restir_embedded.h>
 
 size_t standardShadeWords();
-size_t standardShadeWords() { return kEmbeddedPasses[0].wordCount; }
+size_t standardShadeWords() { return kEmbeddedPack.modules[0].wordCount; }

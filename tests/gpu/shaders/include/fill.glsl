@@ -89,6 +89,8 @@ FILL fillFrame(RS_INOUT(RsFrame) s, int b) {
     fillDi(s.gi, b + 246);
     s.giBounces = U(b + 266);
     s.giStale = F(b + 267);
+    s.bvhRoot = U(b + 268);
+    s.bvhPreviousRoot = U(b + 269);
 }
 
 FILL fillPass(RS_INOUT(RsPass) s, int b) {

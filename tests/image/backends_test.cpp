@@ -1,0 +1,117 @@
+// Pictures by the software ray backend against those by ray query: seed by seed, and as estimators of the
+// same light.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <common/ray_lists.h>
+#include <common/scene.h>
+
+#include "image/hypothesis.h"
+#include "image/world.h"
+
+namespace tests {
+namespace {
+
+constexpr VkExtent2D kExtent{32, 32};
+constexpr uint32_t kPictures = 32, kFrames = 4;
+
+// Direct and indirect light with all reuse.
+restir::Settings everything() {
+    restir::Settings settings = unbiased();
+    settings.di.radius = 6;
+    settings.di.maxHistory = 4;
+    settings.gi.mode = restir::IndirectMode::Restir;
+    settings.gi.radius = 6;
+    settings.gi.maxHistory = 4;
+    return settings;
+}
+
+World& world(restir::RayBackend rays) {
+    static World query(samples::makeBuiltin("cornell"), kExtent),
+        software(samples::makeBuiltin("cornell"), kExtent, {.rays = restir::RayBackend::Software});
+    return rays == restir::RayBackend::Software ? software : query;
+}
+
+samples::Sequence sequence(const char* animation) {
+    const samples::SceneData data = samples::makeBuiltin("cornell");
+    samples::Sequence result{.view = data.views[0], .frames = kFrames, .accumulate = true};
+    if (*animation) result.motion = samples::findMotion(data, animation);
+    return result;
+}
+
+class Backends : public testing::TestWithParam<const char*> {};
+
+// The same random numbers meet the same triangles, but for rays that graze an edge.
+TEST_P(Backends, SameSeedSamePicture) {
+    samples::Sequence s = sequence(GetParam());
+    s.seed = 3;
+    const samples::FloatImage a = world(restir::RayBackend::RayQuery).render(s, everything()),
+                              b = world(restir::RayBackend::Software).render(s, everything());
+    size_t other = 0;
+    for (size_t i = 0; i < a.rgb.size(); i += 3)
+        other += std::abs(a.rgb[i] - b.rgb[i]) > 1e-3f * (a.rgb[i] + b.rgb[i]) ? 1 : 0;
+    std::printf("%s: %zu of %zu pixels differ\n", GetParam(), other, a.rgb.size() / 3);
+    EXPECT_LE(other, a.rgb.size() / 3 / 50);   // one other choice spreads over neighbours and frames
+}
+
+// Independent seeds, means against means.
+TEST_P(Backends, SameLight) {
+    samples::Sequence s = sequence(GetParam());
+    SeedStatistics query, software;
+    for (s.seed = 1; s.seed <= kPictures; ++s.seed)
+        query.add(world(restir::RayBackend::RayQuery).render(s, everything()));
+    for (; s.seed <= 2 * kPictures; ++s.seed)
+        software.add(world(restir::RayBackend::Software).render(s, everything()));
+    const Agreement a = compare(software, referenceFromSeeds(query));
+    print(GetParam(), a);
+    EXPECT_LE(a.worstZ, studentBound(a.blocks, kPictures));
+    for (size_t c = 0; c < 3; ++c) {
+        EXPECT_LE(std::abs(a.channelRatio[c]), studentBound(3, kPictures) * a.channelError[c]);
+        EXPECT_LE(a.channelError[c], 0.015);   // seed by seed says more
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Backends, testing::Values("", "objects"),
+                         [](const auto& tested) { return std::string(*tested.param ? "Moving" : "Static"); });
+
+// Rays that see the scene, that go on from there, and shadow rays.
+void expectAgreement(const char* name, samples::SceneData data, VkExtent2D extent) {
+    const samples::View view = data.views.empty() ? samples::frameScene(data) : data.views[0];
+    size_t masked = 0;
+    for (const auto& material : data.materials) masked += material.flags & RS_MATERIAL_ALPHA_MASK ? 1 : 0;
+    samples::GpuScene scene(device(), std::move(data));
+    const samples::Lighting lighting(device(), scene, {.rays = restir::RayBackend::Software});
+    samples::RayTracer query(device(), scene), software(device(), scene, lighting.bvh());
+    const std::vector<samples::RsLoggedRay> primary =
+        samples::primaryRays(samples::makePose(view, extent), extent);
+    const std::vector<samples::RayHit> seen = query.trace(primary);
+    const float reach = 2 * glm::distance(view.eye, view.target);
+    for (const auto& [kind, rays] :
+         {std::pair("primary", primary),
+          std::pair("scattered", samples::scatteredRays(primary, seen, reach, true, 1)),
+          std::pair("shadow", samples::scatteredRays(primary, seen, reach, false, 2))}) {
+        const samples::HitComparison c = samples::compareHits(rays, query.trace(rays), software.trace(rays));
+        std::printf(
+            "%-14s %-10s %6zu rays, %6zu hits: %zu hit where the other misses, %zu hit another triangle "
+            "elsewhere, %zu at the "
+            "same place; t within %.1e; %zu masked materials\n",
+            name, kind, c.rays, c.found, c.otherFound, c.otherTriangle, c.otherAtSame, c.largestT, masked);
+        EXPECT_LE(double(c.otherFound + c.otherTriangle), 1 + 1e-4 * double(c.rays));
+        EXPECT_LE(double(c.otherAtSame), 5 + 2e-3 * double(c.rays));
+        EXPECT_LE(c.largestT, 1e-4);   // at grazing angles
+    }
+}
+
+TEST(SoftwareAgreement, Cornell) { expectAgreement("cornell", samples::makeBuiltin("cornell"), {200, 120}); }
+TEST(SoftwareAgreement, Market) { expectAgreement("market", samples::makeBuiltin("market"), {200, 120}); }
+TEST(SoftwareAgreement, SharedScenesWithAlphaTests) {
+    for (const char* name : {"stained_glass_lamp/StainedGlassLamp.gltf", "hotel_room/hotel_room.glb"}) {
+        if (sharedScene(name).empty()) continue;
+        std::vector<std::string> warnings;
+        expectAgreement(name, samples::loadScene(sharedScene(name), warnings), {200, 120});
+    }
+}
+
+}   // namespace
+}   // namespace tests

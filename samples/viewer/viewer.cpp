@@ -143,8 +143,8 @@ void Viewer::prepare() {
     const auto pictures = std::exchange(state_.savePictures, {});
     try {
         for (const std::string& path : pictures) savePicture(device_, *picture_, path);
-        if (!name.empty()) replaceStage(name);
         if (state_.rays != stage_->lighting->rays()) switchRays();
+        if (!name.empty()) replaceStage(name);
         if (!name.empty() || !pictures.empty()) state_.message.clear();
     } catch (const std::runtime_error& error) {
         refuse(error.what());

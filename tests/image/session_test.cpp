@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
 
 #include "image/host_view.h"
 #include "image/hypothesis.h"
@@ -40,6 +43,32 @@ protected:
         input.seed = seed;
         input.resetHistory = true;
         return host->frame(input, settings);
+    }
+
+    static double mean(const samples::FloatImage& image) {
+        return std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0) / double(image.rgb.size());
+    }
+    // Over independent seeds, the mean of a picture with history of another extent is that without history.
+    void expectSameLight(VkExtent2D before) {
+        SCOPED_TRACE(std::to_string(before.width) + " x " + std::to_string(before.height));
+        constexpr uint32_t seeds = 24;
+        double sum = 0, squares = 0, level = 0;
+        for (uint32_t seed = 1; seed <= seeds; ++seed) {
+            host->resize(before);
+            cut(0, seed);
+            frames(1, 1, seed);
+            host->resize(kExtent);
+            const double with = mean(frames(2, 1, seed)), without = mean(cut(3, seed + seeds));
+            sum += with - without;
+            squares += (with - without) * (with - without);
+            level += without / seeds;
+        }
+        const double difference = sum / seeds;
+        const double error = std::sqrt((squares / seeds - difference * difference) / (seeds - 1));
+        std::printf("%u x %u before: %+.2f %% (s.e. %.2f)\n", before.width, before.height, 100 * difference / level,
+                    100 * error / level);
+        EXPECT_LE(std::abs(difference), studentBound(2, seeds) * error);
+        EXPECT_LE(error, 0.05 * level);
     }
 
     samples::View view;
@@ -90,11 +119,8 @@ TEST_F(SessionTest, ExtentsUpToTheLargest) {
             EXPECT_GT(largest(image), 0);
         }
     }
-    // History survives a resize, and is right: the mean of a picture hardly differs.
-    double mean = 0, reset = 0;
-    for (float v : frames(index, 1).rgb) mean += double(v);
-    for (float v : cut(index).rgb) reset += double(v);
-    EXPECT_NEAR(mean / reset, 1, 0.2);
+    expectSameLight({17, 9});
+    expectSameLight({1, 24});
 }
 
 // In pairs every kind of reuse goes on, whatever the extent, and the buffers that were declared suffice.
@@ -111,14 +137,9 @@ TEST_F(SessionTest, PartnersAtAnyExtent) {
         }
     }
     settings.di.neighbours = 5;
-    const samples::FloatImage image = frames(index, 1);
-    double mean = 0, single = 0, reset = 0;
-    for (float v : image.rgb) mean += double(v);
-    for (float v : cut(index).rgb) reset += double(v);
-    EXPECT_NEAR(mean / reset, 1, 0.2);
-    settings.di.pairedNeighbours = false;
-    for (float v : cut(index).rgb) single += double(v);
-    EXPECT_NEAR(single / reset, 1, 0.2);
+    settings.di.spatialPasses = 1;
+    expectSameLight({17, 9});
+    expectSameLight({1, 24});
 }
 
 TEST_F(SessionTest, PartnersShareRays) {

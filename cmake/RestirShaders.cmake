@@ -2,9 +2,9 @@
 #
 #   restir_compile_passes(<target> [PASSES <room/stage>...] [RAYS <backend>...] [BRIDGE <dir>])
 #       restir's passes (all of them by default), with the restir_bridge.glsl of <dir> instead of the standard one, for ray
-#       backends QUERY (the default), SOFTWARE, or a directory with a restir_rays.glsl of its own.
+#       backends QUERY (the default), PIPELINE, SOFTWARE, or a directory with a restir_rays.glsl of its own.
 #       <restir_embedded.h> then gives <target> a restir::ShaderPack for ContextDesc::shaders and each backend,
-#       kEmbeddedQueryPack, kEmbeddedSoftwarePack and kEmbeddedOwnPack, and the first of them as kEmbeddedPack. Passes that
+#       kEmbeddedQueryPack, kEmbeddedPipelinePack, kEmbeddedSoftwarePack and kEmbeddedOwnPack, and the first of them as kEmbeddedPack. Passes that
 #       do not trace are compiled once for all.
 #
 #   restir_compile_shaders(<target> SHADERS <file>... [INCLUDES <dir>...])
@@ -39,6 +39,7 @@ endfunction()
 # The directory with the restir_rays.glsl of a backend, its RayBackend's name, and the one it has in symbols.
 function(_restir_ray_backend backend shader_root dir enumerator symbol)
     set(builtin_QUERY RayQuery query)
+    set(builtin_PIPELINE Pipeline pipeline)
     set(builtin_SOFTWARE Software software)
     if(DEFINED builtin_${backend})
         list(GET builtin_${backend} 0 name)
@@ -50,7 +51,7 @@ function(_restir_ray_backend backend shader_root dir enumerator symbol)
     endif()
     get_filename_component(own ${backend} ABSOLUTE)
     if(NOT EXISTS ${own}/restir_rays.glsl)
-        message(FATAL_ERROR "restir_compile_passes: RAYS ${backend} is neither QUERY, SOFTWARE nor a directory with a restir_rays.glsl")
+        message(FATAL_ERROR "restir_compile_passes: RAYS ${backend} is neither QUERY, PIPELINE, SOFTWARE nor a directory with a restir_rays.glsl")
     endif()
     set(${dir} ${own} PARENT_SCOPE)
     set(${enumerator} Own PARENT_SCOPE)
@@ -75,6 +76,7 @@ function(restir_compile_passes target)
     set(out ${CMAKE_CURRENT_BINARY_DIR}/${target}_passes)
     file(MAKE_DIRECTORY ${out})
     set(compiled "")
+    set(define_rgen -DRS_RAY_STAGE)
     set(pack_includes "")
     set(packs "")
     foreach(backend IN LISTS arg_RAYS)
@@ -84,20 +86,39 @@ function(restir_compile_passes target)
             set(source ${shader_root}/passes/${pass}.glsl)
             file(STRINGS ${source} traces REGEX "define RS_PASS_RAYS")
             string(REPLACE / _ symbol ${pass})
+            set(stage comp)
+            set(raygen "")
             if(traces)
                 string(APPEND symbol _${backend_symbol})
+                if(backend STREQUAL PIPELINE)
+                    set(stage rgen)
+                    set(raygen ", true")
+                endif()
             endif()
             string(REPLACE / . name ${pass})
-            string(APPEND rows "    {\"${name}\", ${symbol}, sizeof ${symbol} / sizeof(uint32_t)},\n")
+            string(APPEND rows "    {\"${name}\", ${symbol}, sizeof ${symbol} / sizeof(uint32_t)${raygen}},\n")
             if(symbol IN_LIST compiled)
                 continue()
             endif()
             list(APPEND compiled ${symbol})
             _restir_compile(${target}
-                SOURCE ${source} HEADER ${out}/${symbol}.h SYMBOL ${symbol} STAGE comp
-                FLAGS -I${bridge} -I${rays_dir} ${includes})
+                SOURCE ${source} HEADER ${out}/${symbol}.h SYMBOL ${symbol} STAGE ${stage}
+                FLAGS -I${bridge} -I${rays_dir} ${includes} ${define_${stage}})
             string(APPEND pack_includes "#include \"${symbol}.h\"\n")
         endforeach()
+        if(backend STREQUAL PIPELINE)
+            foreach(shader rmiss:miss rchit:closest_hit rahit:any_hit)
+                string(REPLACE : ";" shader ${shader})
+                list(GET shader 0 stage)
+                list(GET shader 1 name)
+                set(symbol rays_${name})
+                string(APPEND rows "    {\"rays.${name}\", ${symbol}, sizeof ${symbol} / sizeof(uint32_t)},\n")
+                _restir_compile(${target}
+                    SOURCE ${rays_dir}/${name}.glsl HEADER ${out}/${symbol}.h SYMBOL ${symbol} STAGE ${stage}
+                    FLAGS -I${bridge} ${includes} -DRS_RAY_STAGE)
+                string(APPEND pack_includes "#include \"${symbol}.h\"\n")
+            endforeach()
+        endif()
         string(REPLACE Ray "" short ${enumerator})
         string(APPEND packs "constexpr restir::ShaderPack::Module kEmbedded${short}Passes[] = {\n${rows}};\n"
             "constexpr restir::ShaderPack kEmbedded${short}Pack{RESTIR_SHADER_ABI, kEmbedded${short}Passes, restir::RayBackend::${enumerator}};\n")

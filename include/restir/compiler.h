@@ -18,7 +18,8 @@ struct CompileDesc {
     const char* bridgeDirectory = nullptr;    // has the host's restir_bridge.glsl; null: the standard one
     RayBackend rays = RayBackend::RayQuery;
     const char* raysDirectory = nullptr;   // has the host's restir_rays.glsl; for RayBackend::Own
-    std::span<const char* const> passes;   // "di.shade"; empty: all of shaderDirectory
+    // "di.shade"; empty: all of shaderDirectory. With RayBackend::Pipeline the stages they share come along.
+    std::span<const char* const> passes;
     // What the compiler has to say, a line each: "restir: <file>:<line>: <message> (<pass>)".
     MessageSink messages;
 };

@@ -16,6 +16,7 @@ struct ShaderPack {
         const char* pass;   // "di.temporal"
         const uint32_t* words;
         size_t wordCount;
+        bool traces = false;   // RayBackend::Pipeline: a ray generation shader
     };
     std::span<const Module> modules;
     RayBackend rays = RayBackend::RayQuery;   // what its passes trace with
@@ -28,7 +29,9 @@ struct ContextDesc {
     uint32_t framesInFlight = 2;           // [1, 16], one value for every object made from this
     uint32_t queueFamily = 0;              // where all of it is submitted; decides whether timestamps exist
     uint32_t maxTextures = 1024;           // of the standard scene set
-    VkDescriptorSetLayout bridgeSetLayout = VK_NULL_HANDLE;   // set 1 of a host's own bridge; null: Scene's
+    // Set 1 of a host's own bridge, for compute and, with RayBackend::Pipeline, ray generation and any-hit
+    // shaders; null: Scene's.
+    VkDescriptorSetLayout bridgeSetLayout = VK_NULL_HANDLE;
 };
 
 // Pipelines and layouts: everything that depends on the device and not on a view. Immutable once made, so any

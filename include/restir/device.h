@@ -12,6 +12,7 @@ namespace restir {
 // How passes trace rays; each with the same estimators.
 enum class RayBackend : uint8_t {
     RayQuery,   // VK_KHR_ray_query on FrameInput::tlas
+    Pipeline,   // VK_KHR_ray_tracing_pipeline on it: passes that trace are ray generation shaders
     Software,   // a Bvh in storage buffers, on any device
     Own,        // the host's: a ShaderPack compiled with its restir_rays.glsl, on what it binds in set 1
 };
@@ -26,6 +27,7 @@ struct DeviceNeeds {
     VkPhysicalDeviceVulkan13Features vulkan13{};
     VkPhysicalDeviceAccelerationStructureFeaturesKHR accelerationStructure{};
     VkPhysicalDeviceRayQueryFeaturesKHR rayQuery{};
+    VkPhysicalDeviceRayTracingPipelineFeaturesKHR rayTracingPipeline{};
 
     // Links those of the structs above that are used and returns their head. Points into this object: do not move it afterwards.
     const VkPhysicalDeviceFeatures2* chain() noexcept;

@@ -129,9 +129,9 @@ public:
     std::span<const BufferInfo> memory() const noexcept;   // what create() acquired
     VkBuffer rayLog() const noexcept;                      // gpu::RsLoggedRay[rayLogCapacity], or null
 
-    static Scope inputScope(RayBackend rays = RayBackend::RayQuery) noexcept;   // ContextDesc::rays
-    static Scope outputScope() noexcept;
-    static Scope passScope() noexcept;   // what passes do to the SDK's own buffers
+    static Scope inputScope(RayBackend rays = RayBackend::RayQuery) noexcept;
+    static Scope outputScope(RayBackend rays = RayBackend::RayQuery) noexcept;
+    static Scope passScope(RayBackend rays = RayBackend::RayQuery) noexcept;   // what passes do to the SDK's own buffers
 
     struct Impl;
 

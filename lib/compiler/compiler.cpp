@@ -69,7 +69,41 @@ fs::path fileOf(const fs::path& root, std::string pass) {
 // Of the backend's restir_rays.glsl.
 fs::path raysOf(const CompileDesc& desc) {
     if (desc.rays == RayBackend::Own) return desc.raysDirectory ? desc.raysDirectory : "";
-    return fs::path(desc.shaderDirectory) / (desc.rays == RayBackend::Software ? "rays/software" : "rays/query");
+    const char* const directories[] = {"rays/query", "rays/pipeline", "rays/software"};
+    return fs::path(desc.shaderDirectory) / directories[size_t(desc.rays)];
+}
+
+struct Job {
+    std::string name;
+    fs::path file;
+    VkShaderStageFlagBits stage = VK_SHADER_STAGE_COMPUTE_BIT;
+};
+
+bool traces(const fs::path& pass) {
+    std::ifstream file(pass);
+    for (std::string line; std::getline(file, line);)
+        if (line.find("define RS_PASS_RAYS") != std::string::npos) return true;
+    return false;
+}
+
+// Passes, and with RayBackend::Pipeline the stages that those which trace share.
+std::vector<Job> jobsOf(const CompileDesc& desc) {
+    const fs::path root = desc.shaderDirectory;
+    std::vector<std::string> names(desc.passes.begin(), desc.passes.end());
+    if (names.empty()) names = findPasses(root);
+    std::vector<Job> jobs;
+    const bool stages = desc.rays == RayBackend::Pipeline;
+    for (const std::string& name : names) {
+        jobs.push_back({name, fileOf(root, name)});
+        if (stages && traces(jobs.back().file)) jobs.back().stage = VK_SHADER_STAGE_RAYGEN_BIT_KHR;
+    }
+    if (stages) {
+        const fs::path shared = raysOf(desc);
+        jobs.push_back({"rays.miss", shared / "miss.glsl", VK_SHADER_STAGE_MISS_BIT_KHR});
+        jobs.push_back({"rays.closest_hit", shared / "closest_hit.glsl", VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR});
+        jobs.push_back({"rays.any_hit", shared / "any_hit.glsl", VK_SHADER_STAGE_ANY_HIT_BIT_KHR});
+    }
+    return jobs;
 }
 
 // Null, or why nothing can be compiled.
@@ -97,7 +131,7 @@ const char* wrongWith(const CompileDesc& desc) {
 }   // namespace
 
 struct CompiledPack::Impl {
-    std::vector<std::string> names;
+    std::vector<Job> jobs;
     std::vector<std::vector<uint32_t>> words;
     std::vector<ShaderPack::Module> modules;
     ShaderPack pack;
@@ -117,23 +151,25 @@ Result<CompiledPack> compilePasses(const CompileDesc& desc) noexcept {
     const std::vector<fs::path> includes = {bridge, raysOf(desc), desc.includeDirectory, root};
     const Glslang glslang;
     auto impl = std::make_unique<CompiledPack::Impl>();
-    impl->names.assign(desc.passes.begin(), desc.passes.end());
-    if (impl->names.empty()) impl->names = findPasses(root);
-    for (const std::string& pass : impl->names) {
-        const fs::path file = fileOf(root, pass);
+    impl->jobs = jobsOf(desc);
+    for (const Job& job : impl->jobs) {
         std::error_code error;
-        if (!fs::is_regular_file(file, error))
-            return refuse(desc.messages, "CompileDesc::passes: " + pass + ": there is no " + file.string(),
+        if (!fs::is_regular_file(job.file, error))
+            return refuse(desc.messages, "CompileDesc::passes: " + job.name + ": there is no " + job.file.string(),
                           "an unknown pass");
         std::string log;
+        const char* preamble = job.stage == VK_SHADER_STAGE_COMPUTE_BIT ? "" : "#define RS_RAY_STAGE\n";
         impl->words.push_back(
-            compileGlsl({.file = file, .includes = includes, .preamble = ""}, log));
-        sayLog(desc.messages, log, pass);
+            compileGlsl({.file = job.file, .includes = includes, .preamble = preamble, .stage = job.stage}, log));
+        sayLog(desc.messages, log, job.name);
         if (impl->words.back().empty())
             return Error{Status::InvalidArgument, VK_SUCCESS, "a pass does not compile"};
     }
-    for (size_t i = 0; i < impl->names.size(); ++i)
-        impl->modules.push_back({impl->names[i].c_str(), impl->words[i].data(), impl->words[i].size()});
+    for (size_t i = 0; i < impl->jobs.size(); ++i)
+        impl->modules.push_back({.pass = impl->jobs[i].name.c_str(),
+                                 .words = impl->words[i].data(),
+                                 .wordCount = impl->words[i].size(),
+                                 .traces = impl->jobs[i].stage == VK_SHADER_STAGE_RAYGEN_BIT_KHR});
     impl->pack = {.shaderAbi = shaderAbi(desc.includeDirectory), .modules = impl->modules, .rays = desc.rays};
     return CompiledPack(std::move(impl));
 }

@@ -49,6 +49,16 @@ private:
     std::span<const fs::path> directories_;
 };
 
+EShLanguage languageOf(VkShaderStageFlagBits stage) {
+    switch (stage) {
+        case VK_SHADER_STAGE_RAYGEN_BIT_KHR: return EShLangRayGen;
+        case VK_SHADER_STAGE_MISS_BIT_KHR: return EShLangMiss;
+        case VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR: return EShLangClosestHit;
+        case VK_SHADER_STAGE_ANY_HIT_BIT_KHR: return EShLangAnyHit;
+        default: return EShLangCompute;
+    }
+}
+
 }   // namespace
 
 Glslang::Glslang() { glslang::InitializeProcess(); }
@@ -61,7 +71,7 @@ std::vector<uint32_t> compileGlsl(const GlslJob& job, std::string& log) {
         log = "ERROR: " + name + ":0: cannot be read\n";
         return {};
     }
-    const EShLanguage stage = EShLangCompute;
+    const EShLanguage stage = languageOf(job.stage);
     const auto rules = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
     const char *source = text.data(), *sourceName = name.c_str();
     const int length = static_cast<int>(text.size());

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <vulkan/vulkan_core.h>
+
 namespace restir {
 
 // Once for all that is compiled; glslang counts them.
@@ -21,6 +23,7 @@ struct GlslJob {
     std::filesystem::path file;
     std::span<const std::filesystem::path> includes;   // the first that has a file wins
     std::string preamble;                              // definitions
+    VkShaderStageFlagBits stage = VK_SHADER_STAGE_COMPUTE_BIT;
 };
 
 // Empty if the file does not compile. `log` gets what glslang says, a line each: ERROR: <file>:<line>:

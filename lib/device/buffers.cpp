@@ -24,6 +24,7 @@ VkMemoryRequirements requirements(const Device& device, const BufferRequest& req
 struct Layout {
     VkDeviceSize size = 0;
     uint32_t typeBits = ~0u;
+    bool addressed = false;   // by shaders
 
     VkDeviceSize place(const VkMemoryRequirements& need) noexcept {
         const VkDeviceSize offset = (size + need.alignment - 1) / need.alignment * need.alignment;
@@ -36,7 +37,10 @@ struct Layout {
 Layout layoutOf(const Device& device, std::span<const BufferRequest> requests, MemoryUse use) noexcept {
     Layout layout;
     for (const BufferRequest& request : requests)
-        if (request.use == use) layout.place(requirements(device, request));
+        if (request.use == use) {
+            layout.place(requirements(device, request));
+            layout.addressed = layout.addressed || (request.usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0;
+        }
     return layout;
 }
 
@@ -108,7 +112,10 @@ Result<bool> Buffers::allocateBlock(std::span<const BufferRequest> requests, Mem
     const char* what = "allocating memory failed";
     const char* name = use == MemoryUse::DeviceOnly ? "the device" : "the host";
     if (type < 0) return failureAt(device_->sink(), what, total.size, name, VK_ERROR_OUT_OF_DEVICE_MEMORY);
+    const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                          .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
     const VkMemoryAllocateInfo allocateInfo{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                            .pNext = total.addressed ? &flags : nullptr,
                                             .allocationSize = total.size,
                                             .memoryTypeIndex = uint32_t(type)};
     VkDeviceMemory& block = blocks_[size_t(use)];

@@ -11,6 +11,7 @@ struct Device {
     Functions functions;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
+    VkPipelineStageFlags2 passStages = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;   // where the Context's passes run
     uint32_t timestampBits = 0;   // of the queue family; 0: no timestamps
 
     const VkAllocationCallbacks* allocator() const noexcept { return info.hostAllocator; }

@@ -20,10 +20,13 @@ const char* loadInstanceFunctions(const DeviceInfo& info, Functions& f) noexcept
     return nullptr;
 }
 
-const char* loadDeviceFunctions(const DeviceInfo& info, Functions& f) noexcept {
+const char* loadDeviceFunctions(const DeviceInfo& info, RayBackend rays, Functions& f) noexcept {
 #define RESTIR_LOAD(name) \
     if (!assign(f.name, f.vkGetDeviceProcAddr(info.device, #name))) return #name;
     RESTIR_DEVICE_FUNCTIONS(RESTIR_LOAD)
+    if (rays == RayBackend::Pipeline) {
+        RESTIR_RAY_PIPELINE_FUNCTIONS(RESTIR_LOAD)
+    }
 #undef RESTIR_LOAD
     // The instance is asked first: where the extension is off a device's layers may give an address all the same.
 #define RESTIR_LOAD(name) \

@@ -44,6 +44,13 @@
     X(vkCmdCopyBuffer)                 \
     X(vkCmdFillBuffer)
 
+// Asked for with RayBackend::Pipeline only.
+#define RESTIR_RAY_PIPELINE_FUNCTIONS(X)    \
+    X(vkCreateRayTracingPipelinesKHR)       \
+    X(vkGetRayTracingShaderGroupHandlesKHR) \
+    X(vkGetBufferDeviceAddress)             \
+    X(vkCmdTraceRaysKHR)
+
 // Absent where the host made its instance without VK_EXT_debug_utils.
 #define RESTIR_OPTIONAL_FUNCTIONS(X)   \
     X(vkSetDebugUtilsObjectNameEXT)    \
@@ -56,12 +63,13 @@ struct Functions {
 #define RESTIR_DECLARE(name) PFN_##name name = nullptr;
     RESTIR_INSTANCE_FUNCTIONS(RESTIR_DECLARE)
     RESTIR_DEVICE_FUNCTIONS(RESTIR_DECLARE)
+    RESTIR_RAY_PIPELINE_FUNCTIONS(RESTIR_DECLARE)
     RESTIR_OPTIONAL_FUNCTIONS(RESTIR_DECLARE)
 #undef RESTIR_DECLARE
 };
 
 // Name of the first function that is missing, null if all are there.
 const char* loadInstanceFunctions(const DeviceInfo& info, Functions& functions) noexcept;
-const char* loadDeviceFunctions(const DeviceInfo& info, Functions& functions) noexcept;
+const char* loadDeviceFunctions(const DeviceInfo& info, RayBackend rays, Functions& functions) noexcept;
 
 }   // namespace restir

@@ -3,6 +3,7 @@
 
 #include <device/functions.h>
 #include <device/messages.h>
+#include <rays/backend.h>
 
 namespace restir {
 namespace {
@@ -11,6 +12,12 @@ constexpr const char* kRayQueryExtensions[] = {
     VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
     VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
     VK_KHR_RAY_QUERY_EXTENSION_NAME,
+};
+
+constexpr const char* kRayPipelineExtensions[] = {
+    VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+    VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
+    VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME,
 };
 
 struct Flag {
@@ -41,6 +48,7 @@ const VkPhysicalDeviceFeatures2* DeviceNeeds::chain() noexcept {
     };
     if (accelerationStructure.accelerationStructure) append(accelerationStructure);
     if (rayQuery.rayQuery) append(rayQuery);
+    if (rayTracingPipeline.rayTracingPipeline) append(rayTracingPipeline);
     *end = nullptr;
     return &head_;
 }
@@ -61,10 +69,16 @@ DeviceNeeds deviceNeeds(RayBackend backend) noexcept {
     needs.vulkan13.maintenance4 = VK_TRUE;
     needs.accelerationStructure.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
     needs.rayQuery.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
-    if (backend != RayBackend::RayQuery) return needs;
-    needs.extensions = kRayQueryExtensions;
+    needs.rayTracingPipeline.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR;
+    if (!tracesStructures(backend)) return needs;
     needs.accelerationStructure.accelerationStructure = VK_TRUE;
-    needs.rayQuery.rayQuery = VK_TRUE;
+    if (backend == RayBackend::RayQuery) {
+        needs.extensions = kRayQueryExtensions;
+        needs.rayQuery.rayQuery = VK_TRUE;
+    } else {
+        needs.extensions = kRayPipelineExtensions;
+        needs.rayTracingPipeline.rayTracingPipeline = VK_TRUE;
+    }
     return needs;
 }
 
@@ -119,6 +133,7 @@ Status checkDevice(const DeviceInfo& info, RayBackend backend) noexcept {
         RESTIR_FLAG(vulkan13, maintenance4),
         RESTIR_FLAG(accelerationStructure, accelerationStructure),
         RESTIR_FLAG(rayQuery, rayQuery),
+        RESTIR_FLAG(rayTracingPipeline, rayTracingPipeline),
 #undef RESTIR_FLAG
     };
     return reportMissing(info.messages, flags);

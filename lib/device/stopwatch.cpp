@@ -20,19 +20,19 @@ VkResult Stopwatch::create(const Device& device, uint32_t slots, uint32_t passes
 
 void Stopwatch::reset(uint32_t slot) noexcept { names_[slot].clear(); }
 
-void Stopwatch::start(VkCommandBuffer cmd, uint32_t slot, const char* name) noexcept {
+void Stopwatch::start(VkCommandBuffer cmd, uint32_t slot, const char* name, VkPipelineStageFlags2 stage) noexcept {
     const auto number = uint32_t(names_[slot].size());
     names_[slot].push_back(name);
     // Its own only: passes of a frame may be in several command buffers.
     if (queries_) device_->functions.vkCmdResetQueryPool(cmd, queries_, 2 * (slot * passes_ + number), 2);
-    stamp(cmd, slot, 0);
+    stamp(cmd, slot, 0, stage);
 }
 
-void Stopwatch::stop(VkCommandBuffer cmd, uint32_t slot) noexcept { stamp(cmd, slot, 1); }
+void Stopwatch::stop(VkCommandBuffer cmd, uint32_t slot, VkPipelineStageFlags2 stage) noexcept { stamp(cmd, slot, 1, stage); }
 
-void Stopwatch::stamp(VkCommandBuffer cmd, uint32_t slot, uint32_t end) noexcept {
+void Stopwatch::stamp(VkCommandBuffer cmd, uint32_t slot, uint32_t end, VkPipelineStageFlags2 stage) noexcept {
     const uint32_t query = 2 * (slot * passes_ + uint32_t(names_[slot].size()) - 1) + end;
-    if (queries_) device_->functions.vkCmdWriteTimestamp2(cmd, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, queries_, query);
+    if (queries_) device_->functions.vkCmdWriteTimestamp2(cmd, stage, queries_, query);
 }
 
 std::span<const PassTiming> Stopwatch::read(uint32_t slot) noexcept {

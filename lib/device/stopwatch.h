@@ -20,14 +20,15 @@ public:
 
     void reset(uint32_t slot) noexcept;   // of the passes that follow
     // Around a pass; `name` is static text.
-    void start(VkCommandBuffer cmd, uint32_t slot, const char* name) noexcept;
-    void stop(VkCommandBuffer cmd, uint32_t slot) noexcept;
+    void start(VkCommandBuffer cmd, uint32_t slot, const char* name, VkPipelineStageFlags2 stage = kCompute) noexcept;
+    void stop(VkCommandBuffer cmd, uint32_t slot, VkPipelineStageFlags2 stage = kCompute) noexcept;
 
     // Of what was recorded since the slot's last reset(), once the GPU is done with it. Lives until the next call.
     std::span<const PassTiming> read(uint32_t slot) noexcept;
 
 private:
-    void stamp(VkCommandBuffer cmd, uint32_t slot, uint32_t end) noexcept;
+    static constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    void stamp(VkCommandBuffer cmd, uint32_t slot, uint32_t end, VkPipelineStageFlags2 stage) noexcept;
 
     const Device* device_ = nullptr;
     VkQueryPool queries_ = VK_NULL_HANDLE;

@@ -4,6 +4,7 @@
 
 #include <device/internals.h>
 #include <lights/table_impl.h>
+#include <rays/backend.h>
 #include <rays/bvh_impl.h>
 #include <scene/scene_impl.h>
 
@@ -158,7 +159,7 @@ Status checkDebug(const MessageSink& sink, const FrameInput& frame, const Settin
 
 Status checkStructure(const Session::Impl& s, const FrameInput& frame) noexcept {
     const MessageSink& sink = s.device().sink();
-    if (s.context->rays == RayBackend::RayQuery && !frame.tlas) return refuse(sink, "restir: FrameInput::tlas is null");
+    if (tracesStructures(s.context->rays) && !frame.tlas) return refuse(sink, "restir: FrameInput::tlas is null");
     if (s.context->rays != RayBackend::Software) return Status::Ok;
     if (!frame.bvh) return refuse(sink, "restir: FrameInput::bvh is null, RayBackend::Software needs it");
     const Bvh::Impl& bvh = Internals::of(*frame.bvh);

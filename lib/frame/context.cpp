@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include <frame/context_impl.h>
 #include <frame/layouts.h>
@@ -37,7 +39,26 @@ VkResult makePipeline(const Context::Impl& c, const ShaderPack::Module& module, 
 }
 
 const ShaderPack& embeddedPack(RayBackend rays) noexcept {
+    if (rays == RayBackend::Pipeline) return kEmbeddedPipelinePack;
     return rays == RayBackend::Software ? kEmbeddedSoftwarePack : kEmbeddedQueryPack;
+}
+
+Error lacking(const MessageSink& sink, const char* pass) noexcept {
+    report(sink, Severity::Error, "restir: ContextDesc::shaders lacks the pass %s", pass);
+    return {Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders lacks a pass"};
+}
+
+Result<bool> makeBindingTable(Context::Impl& c) noexcept {
+    std::vector<VkPipeline> traced;
+    for (Context::Impl::Pipeline& entry : c.pipelines) {
+        if (entry.traced < 0) continue;
+        entry.traced = int(traced.size());
+        traced.push_back(entry.pipeline);
+    }
+    auto table = BindingTable::create(c.device, traced);
+    if (!table) return table.error();
+    c.bindingTable = std::move(*table);
+    return true;
 }
 
 Result<bool> makePipelines(Context::Impl& c, const ShaderPack& pack) noexcept {
@@ -52,20 +73,25 @@ Result<bool> makePipelines(Context::Impl& c, const ShaderPack& pack) noexcept {
                int(pack.rays), int(c.rays));
         return Error{Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders was built for another ray backend"};
     }
+    const bool stages = c.rays == RayBackend::Pipeline;
+    RayStages ray;
+    for (auto [name, module] : {std::pair("rays.miss", &ray.miss), std::pair("rays.closest_hit", &ray.closestHit),
+                                std::pair("rays.any_hit", &ray.anyHit)})
+        if (*module = findModule(pack, name); stages && !*module) return lacking(sink, name);
     for (Context::Impl::Pipeline& entry : c.pipelines) {
         const ShaderPack::Module* module = findModule(pack, entry.pass);
-        if (!module) {
-            report(sink, Severity::Error, "restir: ContextDesc::shaders lacks the pass %s", entry.pass);
-            return Error{Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders lacks a pass"};
-        }
-        const VkResult vk = makePipeline(c, *module, entry.pipeline);
+        if (!module) return lacking(sink, entry.pass);
+        if (stages && module->traces) entry.traced = 0;
+        const VkResult vk = entry.traced < 0
+                                ? makePipeline(c, *module, entry.pipeline)
+                                : makeRayPipeline(c.device, c.pipelineLayout, *module, ray, entry.pipeline);
         if (vk != VK_SUCCESS) {
             report(sink, Severity::Error, "restir: creating the pipeline of %s failed", entry.pass);
             return failure(sink, Status::DeviceError, "creating a pipeline failed", vk);
         }
         c.device.name(VK_OBJECT_TYPE_PIPELINE, handleValue(entry.pipeline), entry.pass);
     }
-    return true;
+    return stages ? makeBindingTable(c) : true;
 }
 
 Status checkDesc(const ContextDesc& desc) noexcept {
@@ -85,12 +111,12 @@ Status checkDesc(const ContextDesc& desc) noexcept {
     return Status::Ok;
 }
 
-Status queryDevice(Device& device, uint32_t queueFamily) noexcept {
+Status queryDevice(Device& device, RayBackend rays, uint32_t queueFamily) noexcept {
     if (const char* missing = loadInstanceFunctions(device.info, device.functions)) {
         report(device.sink(), Severity::Error, "restir: the loader lacks %s", missing);
         return Status::MissingFeature;
     }
-    if (const char* missing = loadDeviceFunctions(device.info, device.functions)) {
+    if (const char* missing = loadDeviceFunctions(device.info, rays, device.functions)) {
         report(device.sink(), Severity::Error, "restir: the device lacks %s", missing);
         return Status::MissingFeature;
     }
@@ -146,9 +172,10 @@ Result<Context> Context::create(const ContextDesc& desc) noexcept {
     auto impl = std::make_unique<Impl>();
     impl->device.info = desc.device;
     impl->rays = desc.rays;
+    impl->device.passStages = passStages(desc.rays);
     impl->framesInFlight = desc.framesInFlight;
     impl->maxTextures = desc.maxTextures;
-    if (Status s = queryDevice(impl->device, desc.queueFamily); s != Status::Ok)
+    if (Status s = queryDevice(impl->device, desc.rays, desc.queueFamily); s != Status::Ok)
         return Error{s, VK_SUCCESS, "the device cannot be used"};
     if (Status s = checkLimits(*impl, desc); s != Status::Ok) return Error{s, VK_SUCCESS, "the device's limits are too low"};
     if (auto made = makeLayouts(*impl, desc.bridgeSetLayout); !made) return made.error();
@@ -156,10 +183,8 @@ Result<Context> Context::create(const ContextDesc& desc) noexcept {
     return Context(std::move(impl));
 }
 
-VkPipeline Context::Impl::pipelineOf(const char* pass) const noexcept {
-    for (const Pipeline& entry : pipelines)
-        if (!std::strcmp(entry.pass, pass)) return entry.pipeline;
-    return VK_NULL_HANDLE;
+const Context::Impl::Pipeline& Context::Impl::pipelineOf(const char* pass) const noexcept {
+    return *std::find_if(pipelines.begin(), pipelines.end(), [&](const Pipeline& entry) { return !std::strcmp(entry.pass, pass); });
 }
 
 Context::Impl::~Impl() {

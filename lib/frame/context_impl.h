@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include <device/device.h>
+#include <rays/pipelines.h>
 #include <restir/context.h>
 #include <restir/shared/frame.h>
 
@@ -26,6 +27,7 @@ struct Context::Impl {
     struct Pipeline {
         const char* pass = "";
         VkPipeline pipeline = VK_NULL_HANDLE;
+        int traced = -1;   // in `bindingTable`; < 0: a compute pipeline
     };
     std::array<Pipeline, 34> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
@@ -62,7 +64,9 @@ struct Context::Impl {
                                        {"lights.split"},
                                        {"lights.nodes"}}};
 
-    VkPipeline pipelineOf(const char* pass) const noexcept;
+    BindingTable bindingTable;   // RayBackend::Pipeline
+
+    const Pipeline& pipelineOf(const char* pass) const noexcept;
     ~Impl();
 };
 

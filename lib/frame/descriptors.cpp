@@ -58,7 +58,7 @@ private:
 
 // What the backend traces in.
 void writeStructure(Writer& w, RayBackend rays, const FrameInput& frame) noexcept {
-    if (rays == RayBackend::RayQuery) {
+    if (tracesStructures(rays)) {
         w.accelerationStructure(RS_BIND_TLAS, frame.tlas);
         w.accelerationStructure(RS_BIND_PREVIOUS_TLAS, frame.previousTlas ? frame.previousTlas : frame.tlas);
     }

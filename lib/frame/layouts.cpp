@@ -27,7 +27,7 @@ VkResult makeFrameLayout(Context::Impl& c) noexcept {
         bindings[count] = {.binding = i,
                            .descriptorType = bindingType(i),
                            .descriptorCount = bindingCount(i),
-                           .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
+                           .stageFlags = shaderStages(c.rays)};
         flags[count++] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // absent images stay unbound behind a flag
     }
     return makeSetLayout(c.device, {bindings, count}, {flags, count}, c.frameLayout);
@@ -38,15 +38,15 @@ VkResult makeSceneLayout(Context::Impl& c) noexcept {
         {.binding = RS_SCENE_BIND_INSTANCES,
          .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
          .descriptorCount = 1,
-         .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT},
+         .stageFlags = shaderStages(c.rays)},
         {.binding = RS_SCENE_BIND_MATERIALS,
          .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
          .descriptorCount = 1,
-         .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT},
+         .stageFlags = shaderStages(c.rays)},
         {.binding = RS_SCENE_BIND_TEXTURES,
          .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
          .descriptorCount = c.maxTextures,
-         .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT},
+         .stageFlags = shaderStages(c.rays)},
     };
     const VkDescriptorBindingFlags flags[] = {0, 0, VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT};
     c.ownsSceneLayout = true;
@@ -64,9 +64,8 @@ VkResult makeTableLayout(Context::Impl& c) noexcept {
     return makeSetLayout(c.device, bindings, flags, c.tableLayout);
 }
 
-VkResult makePipelineLayout(const Context::Impl& c, std::span<const VkDescriptorSetLayout> sets, uint32_t pushBytes,
-                            VkPipelineLayout& layout) noexcept {
-    const VkPushConstantRange push{.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT, .size = pushBytes};
+VkResult makePipelineLayout(const Context::Impl& c, std::span<const VkDescriptorSetLayout> sets,
+                            const VkPushConstantRange& push, VkPipelineLayout& layout) noexcept {
     const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                           .setLayoutCount = uint32_t(sets.size()),
                                           .pSetLayouts = sets.data(),
@@ -77,9 +76,10 @@ VkResult makePipelineLayout(const Context::Impl& c, std::span<const VkDescriptor
 
 VkResult makePipelineLayouts(Context::Impl& c) noexcept {
     const VkDescriptorSetLayout frame[] = {c.frameLayout, c.sceneLayout};
-    if (VkResult vk = makePipelineLayout(c, frame, sizeof(gpu::RsPass), c.pipelineLayout); vk != VK_SUCCESS) return vk;
+    if (VkResult vk = makePipelineLayout(c, frame, {.stageFlags = shaderStages(c.rays), .size = sizeof(gpu::RsPass)}, c.pipelineLayout); vk != VK_SUCCESS) return vk;
     const VkDescriptorSetLayout table[] = {c.tableLayout, c.sceneLayout};
-    return makePipelineLayout(c, table, sizeof(gpu::RsTablePass), c.tablePipelineLayout);
+    return makePipelineLayout(c, table, {.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT, .size = sizeof(gpu::RsTablePass)},
+                              c.tablePipelineLayout);
 }
 
 }   // namespace

@@ -4,6 +4,7 @@
 #include <restir/shared/gi.h>
 
 #include <frame/context_impl.h>
+#include <rays/backend.h>
 
 namespace restir {
 
@@ -35,7 +36,7 @@ constexpr uint32_t bindingCount(uint32_t binding) noexcept {
 constexpr bool isBound(uint32_t binding, RayBackend rays) noexcept {
     switch (binding) {
         case RS_BIND_TLAS:
-        case RS_BIND_PREVIOUS_TLAS: return rays == RayBackend::RayQuery;
+        case RS_BIND_PREVIOUS_TLAS: return tracesStructures(rays);
         case RS_BIND_BVH_NODES:
         case RS_BIND_BVH_CORNERS:
         case RS_BIND_BVH_INSTANCES: return rays == RayBackend::Software;

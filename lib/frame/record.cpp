@@ -8,13 +8,13 @@
 #include <frame/constants.h>
 #include <frame/descriptors.h>
 #include <lights/table_impl.h>
+#include <rays/backend.h>
 #include <rays/bvh_impl.h>
 #include <scene/scene_impl.h>
 
 namespace restir {
 namespace {
 
-constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
 constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
 constexpr VkAccessFlags2 kShaderWrite = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
 constexpr VkAccessFlags2 kShaderAccess = kShaderWrite | VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
@@ -29,13 +29,19 @@ public:
         memoryBarrier(f_, cmd_, {from, wrote}, {to, access});
     }
 
+    // Behind the history of this view, the last readers of what is rewritten now, and the last use of the counters.
+    void begin() noexcept {
+        barrier(stages_ | kTransfer, kShaderWrite | VK_ACCESS_2_TRANSFER_WRITE_BIT, stages_ | kTransfer,
+                kShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    }
+
     void clearCounters() noexcept {
         f_.vkCmdFillBuffer(cmd_, s_.buffer(SessionBuffer::Counters), 0, VK_WHOLE_SIZE, 0);
-        barrier(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute, kShaderAccess);
+        barrier(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, stages_, kShaderAccess);
     }
 
     void readCounters() noexcept {
-        barrier(kCompute, kShaderWrite, kTransfer, VK_ACCESS_2_TRANSFER_READ_BIT);
+        barrier(stages_, kShaderWrite, kTransfer, VK_ACCESS_2_TRANSFER_READ_BIT);
         const VkBufferCopy all{.size = sizeof(gpu::RsCounters)};
         f_.vkCmdCopyBuffer(cmd_, s_.buffer(SessionBuffer::Counters), s_.buffers.buffer(s_.readbackOf(slot_)), 1, &all);
         barrier(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
@@ -44,12 +50,15 @@ public:
     void bind() noexcept {
         const VkDescriptorSet sets[] = {s_.sets[slot_], s_.preparedScene};
         f_.vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineLayout, 0, 2, sets, 0, nullptr);
+        if (s_.context->rays == RayBackend::Pipeline)
+            f_.vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, s_.context->pipelineLayout, 0, 2, sets, 0,
+                                       nullptr);
     }
 
     // The barrier that the passes since the last one ask for.
     void separate(const PassInfo& pass) noexcept {
         if (hazards_.conflicts(pass)) {
-            barrier(kCompute, kShaderWrite, kCompute, kShaderAccess);
+            barrier(stages_, kShaderWrite, stages_, kShaderAccess);
             hazards_ = {};
         }
         hazards_.add(pass);
@@ -57,12 +66,20 @@ public:
 
     void pass(const PassInfo& pass) noexcept {
         const Label label(f_, cmd_, pass.name);
-        s_.stopwatch.start(cmd_, slot_, pass.name);
-        f_.vkCmdBindPipeline(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, s_.context->pipelineOf(pass.name));
+        const Context::Impl::Pipeline& entry = s_.context->pipelineOf(pass.name);
+        const bool traced = entry.traced >= 0;
+        const VkPipelineStageFlags2 stage =
+            traced ? VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+        s_.stopwatch.start(cmd_, slot_, pass.name, stage);
+        f_.vkCmdBindPipeline(cmd_, traced ? VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR : VK_PIPELINE_BIND_POINT_COMPUTE,
+                             entry.pipeline);
         const gpu::RsPass constants{.source = pass.source, .target = pass.target, .index = pass.index, .shades = pass.shades ? 1u : 0u};
-        f_.vkCmdPushConstants(cmd_, s_.context->pipelineLayout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants, &constants);
-        f_.vkCmdDispatch(cmd_, pass.groups[0], pass.groups[1], pass.groups[2]);
-        s_.stopwatch.stop(cmd_, slot_);
+        f_.vkCmdPushConstants(cmd_, s_.context->pipelineLayout, shaderStages(s_.context->rays), 0, sizeof constants, &constants);
+        if (traced)
+            s_.context->bindingTable.trace(s_.device(), cmd_, uint32_t(entry.traced), 8 * pass.groups[0], 8 * pass.groups[1]);
+        else
+            f_.vkCmdDispatch(cmd_, pass.groups[0], pass.groups[1], pass.groups[2]);
+        s_.stopwatch.stop(cmd_, slot_, stage);
     }
 
 private:
@@ -70,15 +87,14 @@ private:
     const Functions& f_;
     VkCommandBuffer cmd_;
     uint32_t slot_;
+    VkPipelineStageFlags2 stages_ = s_.device().passStages;
     Hazards hazards_;
 };
 
 void recordPasses(Session::Impl& s, VkCommandBuffer cmd, bool counters) noexcept {
     Recorder recorder(s, cmd);
     const Label label(s.device().functions, cmd, "restir");
-    // The history of this view, the last readers of what is rewritten now, and the last use of the counters.
-    recorder.barrier(kCompute | kTransfer, kShaderWrite | VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute | kTransfer,
-                     kShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    recorder.begin();
     if (counters) recorder.clearCounters();
     recorder.bind();
     for (const PassInfo& pass : s.plan.passes) {

@@ -180,17 +180,16 @@ VkBuffer Session::rayLog() const noexcept {
 Scope Session::inputScope(RayBackend rays) noexcept {
     VkAccessFlags2 access =
         VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-    if (rays == RayBackend::RayQuery) access |= VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
-    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, access};
+    if (tracesStructures(rays)) access |= VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
+    return {passStages(rays), access};
 }
 
-Scope Session::outputScope() noexcept {
-    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+Scope Session::outputScope(RayBackend rays) noexcept {
+    return {passStages(rays), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 }
 
-Scope Session::passScope() noexcept {
-    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-            VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+Scope Session::passScope(RayBackend rays) noexcept {
+    return {passStages(rays), VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 }
 
 }   // namespace restir

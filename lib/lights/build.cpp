@@ -83,9 +83,9 @@ void dispatchOfBuild(const LightTable::Impl& t, VkCommandBuffer cmd, const char*
                      uint32_t rows) noexcept {
     const Functions& f = t.device->functions;
     const Label label(f, cmd, name);
-    f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelineOf(name));
+    f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelineOf(name).pipeline);
     f.vkCmdDispatch(cmd, groups, rows, 1);
-    memoryBarrier(f, cmd, {kCompute, kWrite}, {kCompute, kRead | kWrite});
+    memoryBarrier(f, cmd, {kCompute, kWrite}, {t.device->passStages, kRead | kWrite});
 }
 
 void recordBuild(LightTable::Impl& t, VkCommandBuffer cmd, uint32_t slot, const BuildInput& input) noexcept {

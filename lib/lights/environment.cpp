@@ -114,15 +114,17 @@ Status EnvironmentTable::upload(const MessageSink& sink, const EnvironmentMap& m
     return Status::Ok;
 }
 
-void EnvironmentTable::record(const Functions& functions, VkCommandBuffer cmd) noexcept {
+void EnvironmentTable::record(const Device& device, VkCommandBuffer cmd) noexcept {
     if (!pending_) return;
     pending_ = false;
     const VkBufferCopy all{.size = VkDeviceSize{extent_.x} * extent_.y * kTexelBytes};
-    constexpr VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, copy = VK_PIPELINE_STAGE_2_COPY_BIT;
+    const Functions& functions = device.functions;
+    const VkPipelineStageFlags2 passes = device.passStages;
+    constexpr VkPipelineStageFlags2 copy = VK_PIPELINE_STAGE_2_COPY_BIT;
     constexpr VkAccessFlags2 wrote = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    memoryBarrier(functions, cmd, {compute | copy, wrote}, {copy, wrote});
+    memoryBarrier(functions, cmd, {passes | copy, wrote}, {copy, wrote});
     functions.vkCmdCopyBuffer(cmd, buffers_.buffer(1), buffers_.buffer(0), 1, &all);
-    memoryBarrier(functions, cmd, {copy, wrote}, {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
+    memoryBarrier(functions, cmd, {copy, wrote}, {passes, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
 }
 
 }   // namespace restir

@@ -25,7 +25,7 @@ public:
     // Names the field if one is bad, and keeps the last map.
     Status upload(const MessageSink& sink, const EnvironmentMap& map) noexcept;
     // The copy of a new map, with its barriers.
-    void record(const Functions& functions, VkCommandBuffer cmd) noexcept;
+    void record(const Device& device, VkCommandBuffer cmd) noexcept;
 
     VkBuffer buffer() const noexcept { return buffers_.buffer(0); }
     gpu::uvec2 extent() const noexcept { return extent_; }

@@ -200,7 +200,7 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot, const Scene* 
     if (Status s = checkRecord(t, cmd, frameSlot); s != Status::Ok) return s;
     if (t.meshes.count > 0)
         if (Status s = findScene(t, scene, bridgeSet, input.scene); s != Status::Ok) return s;
-    t.environment.record(t.device->functions, cmd);
+    t.environment.record(*t.device, cmd);
     if (!t.pending() && t.meshes.count == 0) return Status::Ok;
     const bool newLights = t.pendingLights;
     t.pendingLights = t.pendingMeshes = false;
@@ -212,16 +212,16 @@ Status LightTable::record(VkCommandBuffer cmd, uint32_t frameSlot, const Scene* 
     if (t.recorded.count == 0) return Status::Ok;
 
     const Functions& f = t.device->functions;
-    constexpr VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    const VkPipelineStageFlags2 passes = t.device->passStages;
     constexpr VkPipelineStageFlags2 transfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
     constexpr VkAccessFlags2 wrote = VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
     // The copies wait for the last build and the frames that still read these buffers, the build for the copies.
-    memoryBarrier(f, cmd, {compute | transfer, wrote},
+    memoryBarrier(f, cmd, {passes | transfer, wrote},
                   {transfer, VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT});
     recordCopies(t, cmd, newLights, input.newMeshes);
     f.vkCmdFillBuffer(cmd, t.buffer(TableBuffer::State), 0, VK_WHOLE_SIZE, 0);
-    memoryBarrier(f, cmd, {compute | transfer, wrote},
-                  {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+    memoryBarrier(f, cmd, {passes | transfer, wrote},
+                  {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
     recordBuild(t, cmd, frameSlot, input);
     return Status::Ok;
 }

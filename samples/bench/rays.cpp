@@ -63,11 +63,12 @@ void run(samples::Device& device, const std::string& name, const Options& option
     printTrees(scene);
     std::vector<Backend> backends;
     for (const samples::RayBackendName& known : samples::rayBackends()) {
+        if (known.backend == restir::RayBackend::Pipeline && !device.hasRayPipelines()) continue;
         Backend& made = backends.emplace_back();
         made.name = known.name;
         made.lighting =
             std::make_unique<samples::Lighting>(device, scene, samples::LightingDesc{.rays = known.backend});
-        made.tracer = std::make_unique<samples::RayTracer>(device, scene, made.lighting->bvh());
+        made.tracer = std::make_unique<samples::RayTracer>(device, scene, known.backend, made.lighting->bvh());
     }
     std::printf("%-10s %9s %-10s %9s %9s %14s %14s %14s %10s\n", "", "rays", "", "Mrays/s", "ratio",
                 "hit or not", "elsewhere", "same place", "largest dt");

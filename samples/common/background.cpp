@@ -22,8 +22,7 @@ BackgroundPass::BackgroundPass(const Device& device, const GpuScene& scene, cons
     : extent_(extent),
       pass_(device, scene, k_background_spv, std::array{target, gbuffer.depth().view()}, sizeof(Constants)) {}
 
-void BackgroundPass::record(VkCommandBuffer cmd, const CameraPose& pose, glm::vec2 jitter) const {
-    const restir::Scope out = restir::Session::outputScope();
+void BackgroundPass::record(VkCommandBuffer cmd, const restir::Scope& out, const CameraPose& pose, glm::vec2 jitter) const {
     memoryBarrier(cmd, {out.stages, out.access},
                   {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
     pass_.record(cmd, extent_, Constants{pose, {extent_.width, extent_.height}, jitter});

@@ -12,8 +12,8 @@ public:
     BackgroundPass(const Device& device, const GpuScene& scene, const GBufferPass& gbuffer,
                    VkImageView target, VkExtent2D extent);
 
-    // Behind the SDK's passes and GBufferPass::share().
-    void record(VkCommandBuffer cmd, const CameraPose& pose, glm::vec2 jitter) const;
+    // Behind the SDK's passes, which wrote in `out`, and GBufferPass::share().
+    void record(VkCommandBuffer cmd, const restir::Scope& out, const CameraPose& pose, glm::vec2 jitter) const;
 
 private:
     VkExtent2D extent_;

@@ -103,9 +103,8 @@ void Denoiser::ask(restir::Output& output, const restir::Settings& settings) con
     if (flags & kGradient) output.gradient = images_->gradient.view();
 }
 
-void Denoiser::record(VkCommandBuffer cmd, const restir::Settings& settings, const CameraPose& pose,
-                      const CameraPose& previous) {
-    const restir::Scope out = restir::Session::outputScope();
+void Denoiser::record(VkCommandBuffer cmd, const restir::Scope& out, const restir::Settings& settings,
+                      const CameraPose& pose, const CameraPose& previous) {
     memoryBarrier(cmd, {out.stages, out.access}, kShared);
     const auto run = [&](const ComputePass& pass, int32_t stride) {
         pass.record(cmd, extent_,

@@ -21,8 +21,8 @@ public:
 
     // What a frame with `settings` is to write for it, instead of the picture.
     void ask(restir::Output& output, const restir::Settings& settings) const;
-    // Behind the SDK's passes and GBufferPass::share().
-    void record(VkCommandBuffer cmd, const restir::Settings& settings, const CameraPose& pose,
+    // Behind the SDK's passes, which wrote in `out`, and GBufferPass::share().
+    void record(VkCommandBuffer cmd, const restir::Scope& out, const restir::Settings& settings, const CameraPose& pose,
                 const CameraPose& previous);
     void reset() { history_ = false; }   // the next frame has no last one
 

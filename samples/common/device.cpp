@@ -243,6 +243,11 @@ void Device::makeDevice() {
         restir::deviceNeeds(hasRays_ ? restir::RayBackend::RayQuery : restir::RayBackend::Software);
     addOwnFeatures(needs);
     std::vector<const char*> extensions(needs.extensions.begin(), needs.extensions.end());
+    if (hasRays_ && hasExtension(physical_, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME)) {
+        hasRayPipelines_ = true;
+        needs.rayTracingPipeline.rayTracingPipeline = VK_TRUE;
+        extensions.push_back(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
+    }
     if (surface_) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const float priority = 1;
     const VkDeviceQueueCreateInfo queueInfo{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,

@@ -54,6 +54,7 @@ public:
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     const std::string& driver() const { return driver_; }
     uint32_t scratchAlignment() const { return scratchAlignment_; }   // of acceleration structure builds
+    bool hasRayPipelines() const { return hasRayPipelines_; }   // what RayBackend::Pipeline needs
     bool hasTimestamps() const { return timestampBits_ != 0; }
 
     // What the SDK is given. Its warnings go to stderr, its last error to sdkError().
@@ -97,7 +98,7 @@ private:
     VkCommandPool pool_ = VK_NULL_HANDLE;
     uint32_t queueFamily_ = 0;
     uint32_t timestampBits_ = 0;
-    bool hasRays_ = true;
+    bool hasRays_ = true, hasRayPipelines_ = false;
     uint32_t scratchAlignment_ = 1;
     VkPhysicalDeviceProperties properties_{};
     std::string driver_;

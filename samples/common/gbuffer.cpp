@@ -60,8 +60,7 @@ void GBufferPass::record(VkCommandBuffer cmd, const CameraPose& pose, const Came
     pipelineBarrier(cmd, barriers);
 }
 
-void GBufferPass::share(VkCommandBuffer cmd) const {
-    const restir::Scope readers = restir::Session::inputScope();
+void GBufferPass::share(VkCommandBuffer cmd, const restir::Scope& readers) const {
     const Access from{readers.stages, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const Access to{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, VK_IMAGE_LAYOUT_GENERAL};
     std::array<VkImageMemoryBarrier2, Count> barriers;

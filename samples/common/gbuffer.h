@@ -19,7 +19,7 @@ public:
                 const restir::Scope& readers) const;
 
     // Behind the SDK's passes: for reading as storage images, in VK_IMAGE_LAYOUT_GENERAL until the next record().
-    void share(VkCommandBuffer cmd) const;
+    void share(VkCommandBuffer cmd, const restir::Scope& readers) const;
 
     VkExtent2D extent() const { return extent_; }
     // As the SDK takes it.

@@ -28,7 +28,7 @@ VkDescriptorSetLayoutBinding binding(uint32_t index, VkDescriptorType type, uint
 
 void GpuScene::makeSet() {
     const auto textureCount = static_cast<uint32_t>(textureInfos_.size());
-    const std::array bindings = {
+    std::array bindings = {
         binding(kTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR),
         binding(kInstances, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kMaterials, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
@@ -36,6 +36,9 @@ void GpuScene::makeSet() {
         binding(kPreviousTransforms, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kSky, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(kTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::max(textureCount, 1u))};
+    for (VkDescriptorSetLayoutBinding& each : bindings)
+        if (device_.hasRayPipelines())
+            each.stageFlags |= VK_SHADER_STAGE_RAYGEN_BIT_KHR | VK_SHADER_STAGE_ANY_HIT_BIT_KHR;
     std::array<VkDescriptorBindingFlags, kBindingCount> flags{};
     flags[kTextures] = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;   // scenes without textures
     const VkDescriptorSetLayoutBindingFlagsCreateInfo flagsInfo{

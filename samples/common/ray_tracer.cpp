@@ -12,7 +12,15 @@ namespace samples {
 namespace {
 
 constexpr uint32_t kGroupSide = 8;
-constexpr Access kWritten{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+constexpr VkBufferUsageFlags kUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+
+// Constants in trace_rays.glsl, for a ray generation shader.
+struct Addresses {
+    VkDeviceAddress rays, hits;
+    uint32_t count, unused;
+};
+
 constexpr Access kHost{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
 
 // Groups of 64 rays in a square: 65,535 are the most in a row.
@@ -24,11 +32,18 @@ VkExtent2D extentOf(uint32_t rays) {
 
 }   // namespace
 
-RayTracer::RayTracer(const Device& device, const GpuScene& scene, const restir::Bvh* bvh)
-    : device_(device), scene_(scene), bvh_(bvh) {}
+RayTracer::RayTracer(const Device& device, const GpuScene& scene, restir::RayBackend rays,
+                     const restir::Bvh* bvh)
+    : device_(device), scene_(scene), backend_(rays), bvh_(bvh) {}
+
+VkPipelineStageFlags2 RayTracer::stage() const {
+    return launch_ ? VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+}
 
 void RayTracer::makePass() {
-    if (bvh_) {
+    if (backend_ == restir::RayBackend::Pipeline) {
+        if (!launch_) launch_ = std::make_unique<RayLaunch>(device_, scene_, sizeof(Addresses));
+    } else if (bvh_) {
         const restir::BvhBuffers b = bvh_->buffers();
         const VkBuffer buffers[] = {rays_.handle(), hits_.handle(), b.nodes,    b.corners[0],
                                     b.corners[1],   b.corners[2],   b.instances};
@@ -42,23 +57,25 @@ void RayTracer::makePass() {
 }
 
 void RayTracer::record(VkCommandBuffer cmd) const {
-    if (bvh_) {
+    if (launch_) {
+        launch_->record(cmd, extentOf(count_), Addresses{rays_.address(), hits_.address(), count_, 0});
+    } else if (bvh_) {
         const restir::BvhBuffers b = bvh_->buffers();
         pass_->record(cmd, extentOf(count_), std::array{count_, b.root, b.previousRoot, previous_ ? 1u : 0u});
     } else {
         pass_->record(cmd, extentOf(count_), count_);
     }
-    memoryBarrier(cmd, kWritten, kHost);
+    memoryBarrier(cmd, {stage(), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT}, kHost);
 }
 
 std::vector<RayHit> RayTracer::trace(std::span<const restir::gpu::RsLoggedRay> rays, bool previous) {
     count_ = static_cast<uint32_t>(rays.size());
     previous_ = previous;
     rays_ = Buffer(device_, {.size = rays.size_bytes(),
-                             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                             .usage = kUsage,
                              .memory = MemoryKind::Upload});
     hits_ = Buffer(device_, {.size = rays.size() * sizeof(RayHit),
-                             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                             .usage = kUsage,
                              .memory = MemoryKind::Readback});
     std::memcpy(rays_.mapped(), rays.data(), rays.size_bytes());
     makePass();
@@ -69,7 +86,7 @@ std::vector<RayHit> RayTracer::trace(std::span<const restir::gpu::RsLoggedRay> r
 }
 
 double RayTracer::milliseconds(uint32_t rounds) {
-    if (!device_.hasTimestamps() || !pass_) return 0;
+    if (!device_.hasTimestamps() || count_ == 0) return 0;
     const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                                      .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                      .queryCount = 2};
@@ -79,9 +96,9 @@ double RayTracer::milliseconds(uint32_t rounds) {
     for (uint32_t round = 0; round < rounds; ++round) {
         device_.submitAndWait([&](VkCommandBuffer cmd) {
             vkCmdResetQueryPool(cmd, queries, 0, 2);
-            vkCmdWriteTimestamp2(cmd, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, queries, 0);
+            vkCmdWriteTimestamp2(cmd, stage(), queries, 0);
             record(cmd);
-            vkCmdWriteTimestamp2(cmd, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, queries, 1);
+            vkCmdWriteTimestamp2(cmd, stage(), queries, 1);
         });
         uint64_t stamps[2] = {};
         check(vkGetQueryPoolResults(device_.handle(), queries, 0, 2, sizeof stamps, stamps, sizeof(uint64_t),

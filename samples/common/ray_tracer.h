@@ -9,6 +9,7 @@
 #include <restir/shared/frame.h>
 
 #include "common/compute_pass.h"
+#include "common/ray_launch.h"
 
 namespace samples {
 
@@ -23,8 +24,9 @@ struct RayHit {
 
 class RayTracer {
 public:
-    // In `bvh`, which has been recorded; null: by ray query. The scene says what is opaque. Borrows all.
-    RayTracer(const Device& device, const GpuScene& scene, const restir::Bvh* bvh = nullptr);
+    // RayBackend::Software: in `bvh`, which has been recorded. The scene says what is opaque. Borrows all.
+    RayTracer(const Device& device, const GpuScene& scene, restir::RayBackend rays = restir::RayBackend::RayQuery,
+              const restir::Bvh* bvh = nullptr);
 
     // `previous`: in what the Bvh held before.
     std::vector<RayHit> trace(std::span<const restir::gpu::RsLoggedRay> rays, bool previous = false);
@@ -34,14 +36,17 @@ public:
 private:
     void record(VkCommandBuffer cmd) const;
     void makePass();
+    VkPipelineStageFlags2 stage() const;
 
     const Device& device_;
     const GpuScene& scene_;
+    restir::RayBackend backend_;
     const restir::Bvh* bvh_;
     uint32_t count_ = 0;
     bool previous_ = false;
     Buffer rays_, hits_;
     std::unique_ptr<ComputePass> pass_;
+    std::unique_ptr<RayLaunch> launch_;   // of RayBackend::Pipeline
 };
 
 }   // namespace samples

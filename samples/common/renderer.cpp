@@ -39,7 +39,7 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
     callbacks.record = [&](VkCommandBuffer cmd, const Frame& frame) { record(cmd, sequence, frame); };
     callbacks.finished = [&](const Frame& frame, std::span<const float> target) { collect(frame, target); };
     callbacks.progress = progress;
-    callbacks.written = restir::Session::outputScope();
+    callbacks.written = restir::Session::outputScope(lighting_.rays());
     FloatImage image = loop_.run(sequence, callbacks);
     image.alpha = std::move(alpha_);
     return image;
@@ -48,15 +48,15 @@ FloatImage Renderer::render(const Sequence& sequence, const restir::Settings& se
 void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame& frame) {
     scene_.record(cmd, frame.slot, sequence.motion, frame.time, frame.previousTime);
     lighting_.record(cmd, frame.slot);
-    gbuffer_.record(cmd, frame.pose, frame.previous, frame.jitter, restir::Session::inputScope());
+    gbuffer_.record(cmd, frame.pose, frame.previous, frame.jitter, restir::Session::inputScope(lighting_.rays()));
     restir::Settings settings = settings_;
     settings.counters = settings.counters || frame.last;
     restir::FrameInput input = lighting_.input(frame, gbuffer_);
     if (!sequence.previousTlas) input.previousTlas = VK_NULL_HANDLE;
     input.output.radiance = loop_.target();
     if (sequence.denoise) denoiser_->ask(input.output, settings);
+    const restir::Scope scope = restir::Session::outputScope(lighting_.rays());
     if (debugs()) {
-        const restir::Scope scope = restir::Session::outputScope();
         const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
         pipelineBarrier(
             cmd, {{imageBarrier(unseen_, {scope.stages, scope.access, VK_IMAGE_LAYOUT_UNDEFINED}, written)}});
@@ -65,9 +65,9 @@ void Renderer::record(VkCommandBuffer cmd, const Sequence& sequence, const Frame
     }
     device_.check(session_.record(cmd, input, settings), "restir::Session::record");
     if (debugs()) return;
-    if (background_ || sequence.denoise) gbuffer_.share(cmd);
-    if (sequence.denoise) denoiser_->record(cmd, settings, frame.pose, frame.previous);
-    if (background_) background_->record(cmd, frame.pose, frame.jitter);
+    if (background_ || sequence.denoise) gbuffer_.share(cmd, restir::Session::inputScope(lighting_.rays()));
+    if (sequence.denoise) denoiser_->record(cmd, scope, settings, frame.pose, frame.previous);
+    if (background_) background_->record(cmd, scope, frame.pose, frame.jitter);
 }
 
 void Renderer::collect(const Frame& frame, std::span<const float> target) {

@@ -57,6 +57,7 @@ void addSize(CLI::App& app, VkExtent2D& extent, const std::string& help) {
 std::span<const RayBackendName> rayBackends() {
     static constexpr RayBackendName kAll[] = {
         {restir::RayBackend::RayQuery, "query", "ray query on acceleration structures"},
+        {restir::RayBackend::Pipeline, "pipeline", "ray tracing pipelines on acceleration structures"},
         {restir::RayBackend::Software, "software", "a BVH in storage buffers, walked in compute"},
     };
     return kAll;

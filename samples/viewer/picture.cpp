@@ -82,7 +82,8 @@ void Picture::moveScene(VkCommandBuffer cmd, const Shot& shot) {
 
 restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
     const samples::Frame& frame = shot.frame;
-    const restir::Scope in = restir::Session::inputScope(), out = restir::Session::outputScope();
+    const restir::RayBackend rays = stage_.lighting->rays();
+    const restir::Scope in = restir::Session::inputScope(rays), out = restir::Session::outputScope(rays);
     clock_.begin(cmd, frame.slot);
     moveScene(cmd, shot);
     clock_.mark(cmd, "host.scene");
@@ -105,13 +106,13 @@ restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
     const restir::Status status = session_->record(cmd, input, shot.settings);
     clock_.mark(cmd, nullptr);
     if (status == restir::Status::Ok) {
-        images_->gbuffer.share(cmd);
+        images_->gbuffer.share(cmd, in);
         if (denoises) {
-            images_->denoiser->record(cmd, shot.settings, frame.pose, frame.previous);
+            images_->denoiser->record(cmd, out, shot.settings, frame.pose, frame.previous);
             clock_.mark(cmd, "host.denoiser");
         }
         if (images_->background) {
-            images_->background->record(cmd, frame.pose, frame.jitter);
+            images_->background->record(cmd, out, frame.pose, frame.jitter);
             clock_.mark(cmd, "host.sky");
         }
     }

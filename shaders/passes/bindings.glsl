@@ -8,7 +8,13 @@
 #include "restir/shared/lights.h"
 #include "restir/shared/scene.h"
 
+#ifdef RS_RAY_STAGE   // of RayBackend::Pipeline: a pixel is a launch
+#extension GL_EXT_ray_tracing : require
+#define RS_INVOCATION gl_LaunchIDEXT
+#else
 layout(local_size_x = 8, local_size_y = 8) in;
+#define RS_INVOCATION gl_GlobalInvocationID
+#endif
 layout(push_constant, scalar) uniform RsPassBlock { RsPass rsPass; };
 layout(set = RS_SET, binding = RS_BIND_FRAME, scalar) uniform RsFrameBlock { RsFrame rsFrame; };
 
@@ -32,7 +38,7 @@ layout(set = RS_SET, binding = RS_BIND_ENVIRONMENT, scalar) readonly buffer RsEn
 #include "restir/di/reservoir.glsl"
 
 // The pixel of this invocation.
-uvec2 rsPixelOn(uint field) { return uvec2(rsFieldPixel(ivec2(gl_GlobalInvocationID.xy), field)); }
+uvec2 rsPixelOn(uint field) { return uvec2(rsFieldPixel(ivec2(RS_INVOCATION.xy), field)); }
 uvec2 rsPixel() { return rsPixelOn(rsFrame.di.field); }
 bool rsInside(uvec2 pixel) { return all(lessThan(pixel, rsFrame.extent)); }
 uint rsIndex(uvec2 pixel) { return pixel.y * rsFrame.extent.x + pixel.x; }

@@ -51,6 +51,19 @@ TEST(DeviceNeeds, NamesRayQuery) {
     EXPECT_TRUE(names.contains(VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME));
 }
 
+TEST(DeviceNeeds, PipelinesNeedNoRayQuery) {
+    DeviceNeeds wanted = restir::deviceNeeds(restir::RayBackend::Pipeline);
+    const std::set<std::string> names(wanted.extensions.begin(), wanted.extensions.end());
+    EXPECT_TRUE(names.contains(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME));
+    EXPECT_TRUE(names.contains(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME));
+    EXPECT_FALSE(names.contains(VK_KHR_RAY_QUERY_EXTENSION_NAME));
+    std::multiset<VkStructureType> types;
+    const auto* link = reinterpret_cast<const VkBaseInStructure*>(wanted.chain());
+    for (; link; link = link->pNext) types.insert(link->sType);
+    EXPECT_EQ(types.count(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR), 1u);
+    EXPECT_EQ(types.count(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR), 0u);
+}
+
 TEST(DeviceNeeds, SoftwareRaysNeedNoExtension) {
     for (restir::RayBackend rays : {restir::RayBackend::Software, restir::RayBackend::Own}) {
         DeviceNeeds wanted = restir::deviceNeeds(rays);

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
 
 #include <common/ray_lists.h>
 #include <common/scene.h>
+#include <common/scene_options.h>
 
 #include "image/hypothesis.h"
 #include "image/world.h"
@@ -28,9 +32,11 @@ restir::Settings everything() {
 }
 
 World& world(restir::RayBackend rays) {
-    static World query(samples::makeBuiltin("cornell"), kExtent),
-        software(samples::makeBuiltin("cornell"), kExtent, {.rays = restir::RayBackend::Software});
-    return rays == restir::RayBackend::Software ? software : query;
+    static std::map<restir::RayBackend, std::unique_ptr<World>> worlds;
+    std::unique_ptr<World>& found = worlds[rays];
+    if (!found)
+        found = std::make_unique<World>(samples::makeBuiltin("cornell"), kExtent, samples::LightingDesc{.rays = rays});
+    return *found;
 }
 
 samples::Sequence sequence(const char* animation) {
@@ -46,13 +52,16 @@ class Backends : public testing::TestWithParam<const char*> {};
 TEST_P(Backends, SameSeedSamePicture) {
     samples::Sequence s = sequence(GetParam());
     s.seed = 3;
-    const samples::FloatImage a = world(restir::RayBackend::RayQuery).render(s, everything()),
-                              b = world(restir::RayBackend::Software).render(s, everything());
-    size_t other = 0;
-    for (size_t i = 0; i < a.rgb.size(); i += 3)
-        other += std::abs(a.rgb[i] - b.rgb[i]) > 1e-3f * (a.rgb[i] + b.rgb[i]) ? 1 : 0;
-    std::printf("%s: %zu of %zu pixels differ\n", GetParam(), other, a.rgb.size() / 3);
-    EXPECT_LE(other, a.rgb.size() / 3 / 50);   // one other choice spreads over neighbours and frames
+    const samples::FloatImage a = world(restir::RayBackend::RayQuery).render(s, everything());
+    for (const samples::RayBackendName& rays : samples::rayBackends()) {
+        if (rays.backend == restir::RayBackend::Pipeline && !device().hasRayPipelines()) continue;
+        const samples::FloatImage b = world(rays.backend).render(s, everything());
+        size_t other = 0;
+        for (size_t i = 0; i < a.rgb.size(); i += 3)
+            other += std::abs(a.rgb[i] - b.rgb[i]) > 1e-3f * (a.rgb[i] + b.rgb[i]) ? 1 : 0;
+        std::printf("%s %s: %zu of %zu pixels differ\n", rays.name, GetParam(), other, a.rgb.size() / 3);
+        EXPECT_LE(other, a.rgb.size() / 3 / 50);   // one other choice spreads over neighbours and frames
+    }
 }
 
 // Independent seeds, means against means.
@@ -82,7 +91,10 @@ void expectAgreement(const char* name, samples::SceneData data, VkExtent2D exten
     for (const auto& material : data.materials) masked += material.flags & RS_MATERIAL_ALPHA_MASK ? 1 : 0;
     samples::GpuScene scene(device(), std::move(data));
     const samples::Lighting lighting(device(), scene, {.rays = restir::RayBackend::Software});
-    samples::RayTracer query(device(), scene), software(device(), scene, lighting.bvh());
+    samples::RayTracer query(device(), scene),
+        software(device(), scene, restir::RayBackend::Software, lighting.bvh());
+    std::optional<samples::RayTracer> pipeline;
+    if (device().hasRayPipelines()) pipeline.emplace(device(), scene, restir::RayBackend::Pipeline);
     const std::vector<samples::RsLoggedRay> primary =
         samples::primaryRays(samples::makePose(view, extent), extent);
     const std::vector<samples::RayHit> seen = query.trace(primary);
@@ -91,7 +103,8 @@ void expectAgreement(const char* name, samples::SceneData data, VkExtent2D exten
          {std::pair("primary", primary),
           std::pair("scattered", samples::scatteredRays(primary, seen, reach, true, 1)),
           std::pair("shadow", samples::scatteredRays(primary, seen, reach, false, 2))}) {
-        const samples::HitComparison c = samples::compareHits(rays, query.trace(rays), software.trace(rays));
+        const std::vector<samples::RayHit> hits = query.trace(rays);
+        const samples::HitComparison c = samples::compareHits(rays, hits, software.trace(rays));
         std::printf(
             "%-14s %-10s %6zu rays, %6zu hits: %zu hit where the other misses, %zu hit another triangle "
             "elsewhere, %zu at the "
@@ -100,6 +113,12 @@ void expectAgreement(const char* name, samples::SceneData data, VkExtent2D exten
         EXPECT_LE(double(c.otherFound + c.otherTriangle), 1 + 1e-4 * double(c.rays));
         EXPECT_LE(double(c.otherAtSame), 5 + 2e-3 * double(c.rays));
         EXPECT_LE(c.largestT, 1e-4);   // at grazing angles
+        if (!pipeline) continue;
+        const samples::HitComparison p = samples::compareHits(rays, hits, pipeline->trace(rays));
+        std::printf("%14s %-10s by a pipeline: %zu, %zu, %zu, within %.1e\n", "", kind, p.otherFound,
+                    p.otherTriangle, p.otherAtSame, p.largestT);
+        EXPECT_EQ(p.otherFound + p.otherTriangle, 0u);   // the same structure
+        EXPECT_LE(p.largestT, 1e-6);
     }
 }
 

@@ -119,7 +119,7 @@ TEST_F(BvhObject, IsOfItsContextAndBackend) {
     const auto context = restir::Context::create(desc);
     ASSERT_FALSE(context);
     EXPECT_EQ(context.error().status, Status::ShaderMismatch);
-    EXPECT_NE(device().sdkError().find("ContextDesc::shaders trace with RayBackend 1"), std::string::npos);
+    EXPECT_NE(device().sdkError().find("ContextDesc::shaders trace with RayBackend 2"), std::string::npos);
 }
 
 // A record() a frame, or none: last frame's instances are there. More, and they are not.

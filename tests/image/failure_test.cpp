@@ -29,11 +29,15 @@ const std::map<std::string, const char*> kNamed = {
     {"vkCreateDescriptorSetLayout", "set layout"},
     {"vkCreatePipelineLayout", "pipeline layout"},
     {"vkCreateComputePipelines", "pipeline of"},
+    {"vkCreateRayTracingPipelinesKHR", "pipeline of"},
+    {"vkGetRayTracingShaderGroupHandlesKHR", "shader group"},
     {"vkCreateDescriptorPool", "descriptor set"},
     {"vkAllocateDescriptorSets", "descriptor set"},
     {"vkCreateQueryPool", "query pool"},
     {"vkGetQueryPoolResults", "timestamps"},
 };
+
+constexpr size_t kOfRayPipelines = 2;
 
 Status expectedStatus(VkResult result) {
     if (result == VK_ERROR_OUT_OF_HOST_MEMORY) return Status::OutOfHostMemory;
@@ -192,7 +196,24 @@ TEST_F(Failure, OfEveryCallInALife) {
         sum.failed += row.failed;
     }
     std::printf("%u calls failed\n", sum.failed);
-    EXPECT_EQ(rows.size(), kNamed.size());
+    EXPECT_EQ(rows.size() + kOfRayPipelines, kNamed.size());
+}
+
+// What only a context with ray tracing pipelines calls.
+TEST_F(Failure, OfEveryCallThatMakesRayPipelines) {
+    if (!device().hasRayPipelines()) GTEST_SKIP() << "no ray tracing pipelines";
+    desc.rays = restir::RayBackend::Pipeline;
+    ASSERT_TRUE(restir::Context::create(desc));
+    const uint32_t creation = faults::calls();
+    failEach(creation, [&] { return !made([&] { return restir::Context::create(desc); }, 1); });
+    EXPECT_EQ(faults::live(), "");
+    for (const auto& [call, row] : rows) {
+        EXPECT_EQ(row.refused, row.failed) << call;
+        EXPECT_EQ(row.leaks + row.wrong + row.strangers + row.changed, 0u) << call;
+    }
+    EXPECT_GT(rows["vkCreateRayTracingPipelinesKHR"].failed, 10u);
+    EXPECT_GT(rows["vkGetRayTracingShaderGroupHandlesKHR"].failed, 30u);
+    std::printf("%u calls failed\n", creation);
 }
 
 // The same with the objects that only the software ray backend has.

@@ -87,6 +87,29 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipel
         if (pipelines[i]) ++alive[{"Pipeline", restir::handleValue(pipelines[i])}];
     return result;
 }
+PFN_vkCreateRayTracingPipelinesKHR realCreateRayTracing = nullptr;
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateRayTracingPipelinesKHR(VkDevice device, VkDeferredOperationKHR deferred,
+                                                              VkPipelineCache cache, uint32_t count,
+                                                              const VkRayTracingPipelineCreateInfoKHR* infos,
+                                                              const VkAllocationCallbacks* allocator,
+                                                              VkPipeline* pipelines) {
+    if (fails("vkCreateRayTracingPipelinesKHR")) {
+        for (uint32_t i = 0; i < count; ++i) pipelines[i] = VK_NULL_HANDLE;
+        return state.result;
+    }
+    const VkResult result = realCreateRayTracing(device, deferred, cache, count, infos, allocator, pipelines);
+    for (uint32_t i = 0; i < count; ++i)
+        if (pipelines[i]) ++alive[{"Pipeline", restir::handleValue(pipelines[i])}];
+    return result;
+}
+PFN_vkGetRayTracingShaderGroupHandlesKHR realGetGroupHandles = nullptr;
+VKAPI_ATTR VkResult VKAPI_CALL vkGetRayTracingShaderGroupHandlesKHR(VkDevice device, VkPipeline pipeline,
+                                                                    uint32_t first, uint32_t count,
+                                                                    size_t size, void* data) {
+    return fails("vkGetRayTracingShaderGroupHandlesKHR")
+               ? state.result
+               : realGetGroupHandles(device, pipeline, first, count, size, data);
+}
 VKAPI_ATTR void VKAPI_CALL vkDestroyPipeline(VkDevice device, VkPipeline pipeline,
                                              const VkAllocationCallbacks* allocator) {
     if (dies("Pipeline", pipeline)) ::vkDestroyPipeline(device, pipeline, allocator);
@@ -164,10 +187,15 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, cons
     RESTIR_OWN(vkDestroyQueryPool)
     RESTIR_OWN(vkGetQueryPoolResults)
 #undef RESTIR_OWN
-    if (real && !std::strcmp(name, "vkSetDebugUtilsObjectNameEXT")) {
-        realSetName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(real);
-        return reinterpret_cast<PFN_vkVoidFunction>(vkSetDebugUtilsObjectNameEXT);
+#define RESTIR_EXTENSION(function, address)                                 \
+    if (real && !std::strcmp(name, #function)) {                            \
+        address = reinterpret_cast<PFN_##function>(real);                   \
+        return reinterpret_cast<PFN_vkVoidFunction>(function);              \
     }
+    RESTIR_EXTENSION(vkCreateRayTracingPipelinesKHR, realCreateRayTracing)
+    RESTIR_EXTENSION(vkGetRayTracingShaderGroupHandlesKHR, realGetGroupHandles)
+    RESTIR_EXTENSION(vkSetDebugUtilsObjectNameEXT, realSetName)
+#undef RESTIR_EXTENSION
     return real;
 }
 

@@ -89,7 +89,7 @@ void HostView::look(const samples::View& view) {
                               before = samples::makePose(view_, extent_);
     view_ = view;
     device().submitAndWait([&](VkCommandBuffer cmd) {
-        gbuffers_.back()->record(cmd, pose, before, {0, 0}, restir::Session::inputScope());
+        gbuffers_.back()->record(cmd, pose, before, {0, 0}, restir::Session::inputScope(desc_.rays));
     });
 }
 
@@ -104,7 +104,7 @@ void HostView::resize(VkExtent2D extent) {
     gbuffers_.push_back(std::make_unique<samples::GBufferPass>(device(), scene_, extent));
     const samples::CameraPose pose = samples::makePose(view_, extent);
     device().submitAndWait([&](VkCommandBuffer cmd) {
-        gbuffers_.back()->record(cmd, pose, pose, {0, 0}, restir::Session::inputScope());
+        gbuffers_.back()->record(cmd, pose, pose, {0, 0}, restir::Session::inputScope(desc_.rays));
     });
 }
 
@@ -141,7 +141,7 @@ void HostView::record(VkCommandBuffer cmd, restir::Session& session, const resti
 
 void HostView::around(VkCommandBuffer cmd, const restir::FrameInput& input,
                       const std::function<void()>& passes) {
-    const restir::Scope scope = restir::Session::outputScope();
+    const restir::Scope scope = restir::Session::outputScope(desc_.rays);
     const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
     const Access before{kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last use was copied
     const auto barriers = [&](const Access& from, const Access& to) {
@@ -198,7 +198,7 @@ samples::GpuImage floatImage(VkExtent2D extent, const std::vector<glm::vec4>& te
                                              .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                              .memory = samples::MemoryKind::Upload});
     std::memcpy(staging.mapped(), texels.data(), bytesOf(extent));
-    const restir::Scope scope = restir::Session::inputScope();
+    const restir::Scope scope = restir::Session::inputScope(restir::RayBackend::RayQuery);
     const Access read{scope.stages, scope.access, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     device().submitAndWait([&](VkCommandBuffer cmd) {
         samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, {}, kCopyTo)}});

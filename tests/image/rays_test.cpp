@@ -68,7 +68,7 @@ protected:
             [&](VkCommandBuffer cmd) { device().check(bvh->record(cmd, slot, instances), "Bvh::record"); });
     }
     std::vector<RayHit> trace(const std::vector<RsLoggedRay>& rays, bool previous = false) {
-        return samples::RayTracer(device(), scene, &*bvh).trace(rays, previous);
+        return samples::RayTracer(device(), scene, restir::RayBackend::Software, &*bvh).trace(rays, previous);
     }
 
     samples::GpuScene scene{device(), planeScene()};   // opaque: nobody asks it

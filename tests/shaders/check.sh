@@ -7,8 +7,10 @@ glslang=$1 spirv_val=$2 source=$3 out=$4
 mkdir -p "$out"
 failed=0
 
-compile() {   # compile NAME FILE [BACKEND]
-    if ! "$glslang" -V --quiet --target-env vulkan1.3 -S comp -I"$source/shaders/standard" -I"$source/shaders/rays/${3:-query}" \
+compile() {   # compile NAME FILE [BACKEND [STAGE]]
+    defines=
+    [ "${3:-query}" = pipeline ] && defines=-DRS_RAY_STAGE
+    if ! "$glslang" -V --quiet --target-env vulkan1.3 -S "${4:-comp}" $defines -I"$source/shaders/standard" -I"$source/shaders/rays/${3:-query}" \
         -I"$source/include" -I"$source/shaders" -o "$out/module.spv" "$2" ||
         ! "$spirv_val" --target-env vulkan1.3 --scalar-block-layout "$out/module.spv"
     then
@@ -20,20 +22,28 @@ compile() {   # compile NAME FILE [BACKEND]
 cd "$source/shaders"
 for file in $(find passes -mindepth 2 -name '*.glsl' | sort); do
     compile "$file" "$file"
-    grep -q 'define RS_PASS_RAYS' "$file" && compile "$file, software" "$file" software
+    if grep -q 'define RS_PASS_RAYS' "$file"; then
+        compile "$file, software" "$file" software
+        compile "$file, pipeline" "$file" pipeline rgen
+    fi
 done
+compile "miss" rays/pipeline/miss.glsl pipeline rmiss
+compile "closest hit" rays/pipeline/closest_hit.glsl pipeline rchit
+compile "any hit" rays/pipeline/any_hit.glsl pipeline rahit
 for file in $(find restir -name '*.glsl' ! -path 'restir/bridge/*' | sort); do
+    stage=comp extension=GL_EXT_ray_query group='layout(local_size_x = 8, local_size_y = 8) in;'
+    [ "$file" = restir/rays/pipeline.glsl ] && stage=rgen extension=GL_EXT_ray_tracing group=
     cat > "$out/alone.glsl" <<EOF
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#extension GL_EXT_ray_query : require
+#extension $extension : require
 layout(set = 0, binding = 0) uniform accelerationStructureEXT rsTlas;
 layout(set = 0, binding = 1) uniform accelerationStructureEXT rsPreviousTlas;
 #include "$file"
-layout(local_size_x = 8, local_size_y = 8) in;
+$group
 void main() {}
 EOF
-    compile "$file, alone" "$out/alone.glsl"
+    compile "$file, alone" "$out/alone.glsl" query $stage
 done
 exit $failed

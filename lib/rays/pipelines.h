@@ -1,0 +1,33 @@
+// RayBackend::Pipeline: passes that trace as ray generation shaders, and their shader binding table.
+#pragma once
+
+#include <span>
+
+#include <device/buffers.h>
+#include <restir/context.h>
+
+namespace restir {
+
+// The stages that all such passes share.
+struct RayStages {
+    const ShaderPack::Module* miss = nullptr;
+    const ShaderPack::Module* closestHit = nullptr;
+    const ShaderPack::Module* anyHit = nullptr;
+};
+
+VkResult makeRayPipeline(const Device& device, VkPipelineLayout layout, const ShaderPack::Module& pass, const RayStages& stages,
+                         VkPipeline& pipeline) noexcept;
+
+class BindingTable {
+public:
+    // One record for each stage of each pipeline, in their order.
+    static Result<BindingTable> create(const Device& device, std::span<const VkPipeline> pipelines) noexcept;
+    void trace(const Device& device, VkCommandBuffer cmd, uint32_t pipeline, uint32_t width, uint32_t height) const noexcept;
+
+private:
+    Buffers buffers_;
+    VkDeviceAddress address_ = 0;
+    VkDeviceSize stride_ = 0;   // of records
+};
+
+}   // namespace restir

@@ -6,7 +6,7 @@
 //     exposure STOPS|auto     scale X         window WxH
 //     scene NAME              camera INDEX    fly RIGHT UP FORWARD    orbit DEGREES
 //     animate NAME|off
-//     rays query|software     how the library traces
+//     rays query|pipeline|software     how the library traces
 //     frames N                go on for so many frames
 //     shot FILE.png|FILE.exr  the picture     panelshot FILE.png      the window
 #pragma once

@@ -23,7 +23,7 @@ namespace {
 constexpr int kSkipped = 77;
 constexpr double kCodeMargin = 1.15;      // times the baseline's bytes
 constexpr uint64_t kScalarSpills = 8;     // these go to a lane of a vector register, not to memory
-constexpr uint64_t kSoftwareScalarSpills = 32;   // five more buffers, held in scalar registers all along a walk
+constexpr uint64_t kSoftwareScalarSpills = 36;   // five more buffers, held in scalar registers all along a walk
 constexpr uint64_t kRegisterMargin = 8;   // vector registers, what RDNA allocates at a time
 
 [[noreturn]] void skip(const std::string& why) {

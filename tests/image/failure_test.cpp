@@ -138,12 +138,17 @@ protected:
     struct Row {
         uint32_t failed = 0, refused = 0, leaks = 0, wrong = 0, strangers = 0, changed = 0;
     };
-    // Lets `act` meet a failure of each of its calls, and hands it what was counted.
-    void failEach(uint32_t calls, const std::function<bool()>& act) {
+    // Lets `act`, whose calls since faults::reset() those were, meet a failure of each of them; of making pipelines, which is
+    // slow and the same for all, of each eighth.
+    void failEach(const std::vector<std::string>& calls, const std::function<bool()>& act) {
         constexpr VkResult kFaults[] = {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY,
                                         VK_ERROR_DEVICE_LOST};
         const std::string before = faults::live();
-        for (uint32_t n = 0; n < calls; ++n) {
+        std::map<std::string, uint32_t> alike;
+        for (uint32_t n = 0; n < calls.size(); ++n) {
+            const bool slow = calls[n].ends_with("ShaderModule") || calls[n].find("Pipelines") != std::string::npos ||
+                              calls[n].find("Handles") != std::string::npos;
+            if (slow && alike[calls[n]]++ % 8 != 0) continue;
             faults::reset();
             refusals = leaks = wrong = 0;
             fault = kFaults[n % 3];
@@ -173,13 +178,12 @@ TEST_F(Failure, OfEveryCallInALife) {
         faults::failNames();   // objects without names are as good
         const auto context = restir::Context::create(desc);
         ASSERT_TRUE(context);
-        const uint32_t creation = faults::calls();
-        failEach(creation, [&] { return !made([&] { return restir::Context::create(desc); }, 1); });
+        failEach(faults::callNames(), [&] { return !made([&] { return restir::Context::create(desc); }, 1); });
         faults::reset();
         refusals = 0;
         const samples::FloatImage expected = life(*context);
         ASSERT_EQ(refusals, 0u);
-        failEach(faults::calls(), [&] { return life(*context).rgb == expected.rgb; });
+        failEach(faults::callNames(), [&] { return life(*context).rgb == expected.rgb; });
     }
     EXPECT_EQ(faults::live(), "");
     const auto line = [](const char* call, const Row& row) {
@@ -204,16 +208,15 @@ TEST_F(Failure, OfEveryCallThatMakesRayPipelines) {
     if (!device().hasRayPipelines()) GTEST_SKIP() << "no ray tracing pipelines";
     desc.rays = restir::RayBackend::Pipeline;
     ASSERT_TRUE(restir::Context::create(desc));
-    const uint32_t creation = faults::calls();
-    failEach(creation, [&] { return !made([&] { return restir::Context::create(desc); }, 1); });
+    failEach(faults::callNames(), [&] { return !made([&] { return restir::Context::create(desc); }, 1); });
     EXPECT_EQ(faults::live(), "");
     for (const auto& [call, row] : rows) {
         EXPECT_EQ(row.refused, row.failed) << call;
         EXPECT_EQ(row.leaks + row.wrong + row.strangers + row.changed, 0u) << call;
     }
-    EXPECT_GT(rows["vkCreateRayTracingPipelinesKHR"].failed, 10u);
-    EXPECT_GT(rows["vkGetRayTracingShaderGroupHandlesKHR"].failed, 30u);
-    std::printf("%u calls failed\n", creation);
+    EXPECT_GE(rows["vkCreateRayTracingPipelinesKHR"].failed, 2u);
+    EXPECT_GE(rows["vkGetRayTracingShaderGroupHandlesKHR"].failed, 5u);
+    EXPECT_EQ(rows["vkAllocateMemory"].failed, 1u);
 }
 
 // The same with the objects that only the software ray backend has.
@@ -224,7 +227,7 @@ TEST_F(Failure, OfEveryCallInALifeWithABvh) {
         ASSERT_TRUE(context);
         faults::reset();
         const samples::FloatImage expected = life(*context);
-        failEach(faults::calls(), [&] { return life(*context).rgb == expected.rgb; });
+        failEach(faults::callNames(), [&] { return life(*context).rgb == expected.rgb; });
     }
     EXPECT_EQ(faults::live(), "");
     uint32_t failed = 0;

@@ -17,11 +17,13 @@ struct State {
     VkResult result = VK_SUCCESS;
     bool namesFail = false, timestampsHidden = false;
     std::string failed;
+    std::vector<std::string> names;   // of the calls
 };
 State state;
 std::map<std::pair<std::string, uint64_t>, int> alive;   // by type and handle
 
 bool fails(const char* call) {
+    state.names.emplace_back(call);
     if (state.calls++ != state.failingCall) return false;
     state.failed = call;
     return true;
@@ -224,6 +226,7 @@ void hideTimestamps() { state.timestampsHidden = true; }
 void failNames() { state.namesFail = true; }
 void failLookupAfter(uint32_t lookups) { state.failingLookup = state.lookups + lookups; }
 uint32_t calls() { return state.calls; }
+std::vector<std::string> callNames() { return state.names; }
 uint32_t lookups() { return state.lookups; }
 const std::string& failed() { return state.failed; }
 uint32_t strangers() { return state.strangers; }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <restir/device.h>
 
@@ -22,6 +23,7 @@ void hideTimestamps();   // until reset(): no queue has any
 void failLookupAfter(uint32_t lookups);
 
 uint32_t calls();   // that could have failed, since reset()
+std::vector<std::string> callNames();   // of those
 uint32_t lookups();
 const std::string& failed();   // the call or function that failed, empty: none did
 uint32_t strangers();          // objects that were freed without being alive, since reset()

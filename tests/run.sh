@@ -9,4 +9,4 @@ cd "$root"
 mkdir -p build
 cmake --preset release > build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 cmake --build --preset release
-ctest --test-dir build/release --label-exclude long --output-on-failure --no-tests=error "$@"
+ctest --test-dir build/release --parallel "$(nproc)" --label-exclude long --output-on-failure --no-tests=error "$@"

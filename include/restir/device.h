@@ -54,7 +54,7 @@ struct BufferGrant {
     void* token = nullptr;    // the host's own, handed back on release
 };
 
-// Where buffers come from. Leave empty to let each SDK object allocate one block per MemoryUse. All buffers are
+// Where buffers come from; memory of those whose usage has SHADER_DEVICE_ADDRESS is allocated with device addresses. Leave empty to let each SDK object allocate one block per MemoryUse. All buffers are
 // acquired in create() and released in the destructor.
 struct MemoryProvider {
     void* user = nullptr;

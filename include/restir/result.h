@@ -13,7 +13,7 @@ enum class Status : uint8_t {
     Ok,
     InvalidArgument,   // the message sink names the field and the value
     MissingFeature,    // the device, or its loader, lacks something deviceNeeds() lists
-    ShaderMismatch,    // a ShaderPack built against another RESTIR_SHADER_ABI, or without a pass
+    ShaderMismatch,    // a ShaderPack for another RESTIR_SHADER_ABI or RayBackend, or without a pass
     OutOfHostMemory,
     OutOfDeviceMemory,
     DeviceError,   // Error::vk says which

@@ -26,7 +26,7 @@ struct FrameInput {
     VkExtent2D extent = {0, 0};   // pixels, at most maxExtent; a change keeps history where surfaces match
     Camera camera;
     GBuffer gbuffer;
-    VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;   // required with RayBackend::RayQuery, else left alone
+    VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;   // required with RayBackend::RayQuery and Pipeline, else left alone
     // The structure of this Session's last recorded frame, alive and with that frame's geometry in it, which makes
     // VisibilityReuse::Traced unbiased while geometry moves. Null, or `tlas` again: nothing moved, or it is biased
     // while it does. Its instanceCustomIndex count the same records of Scene, whose current contents (alpha test) serve

@@ -121,6 +121,12 @@ const char* wrongWith(const CompileDesc& desc) {
         return "CompileDesc::includeDirectory is not restir's";
     if (lacks("shaderDirectory", desc.shaderDirectory, "standard/restir_bridge.glsl"))
         return "CompileDesc::shaderDirectory is not restir's";
+    if (desc.rays > RayBackend::Own) {
+        say(sink, Severity::Error, "CompileDesc::rays is " + std::to_string(int(desc.rays)));
+        return "CompileDesc::rays is no RayBackend";
+    }
+    if (desc.rays == RayBackend::Pipeline && lacks("shaderDirectory", desc.shaderDirectory, "rays/pipeline/any_hit.glsl"))
+        return "CompileDesc::shaderDirectory is not restir's";
     if (desc.rays == RayBackend::Own && lacks("raysDirectory", desc.raysDirectory, "restir_rays.glsl"))
         return "CompileDesc::raysDirectory has no restir_rays.glsl";
     if (desc.bridgeDirectory && lacks("bridgeDirectory", desc.bridgeDirectory, "restir_bridge.glsl"))
@@ -148,7 +154,7 @@ Result<CompiledPack> compilePasses(const CompileDesc& desc) noexcept {
     if (const char* wrong = wrongWith(desc)) return Error{Status::InvalidArgument, VK_SUCCESS, wrong};
     const fs::path root = desc.shaderDirectory;
     const fs::path bridge = desc.bridgeDirectory ? fs::path(desc.bridgeDirectory) : root / "standard";
-    const std::vector<fs::path> includes = {bridge, raysOf(desc), desc.includeDirectory, root};
+    const std::vector<fs::path> includes = {raysOf(desc), bridge, desc.includeDirectory, root};
     const Glslang glslang;
     auto impl = std::make_unique<CompiledPack::Impl>();
     impl->jobs = jobsOf(desc);

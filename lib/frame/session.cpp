@@ -180,7 +180,9 @@ VkBuffer Session::rayLog() const noexcept {
 Scope Session::inputScope(RayBackend rays) noexcept {
     VkAccessFlags2 access =
         VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-    if (tracesStructures(rays)) access |= VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
+    if (rays == RayBackend::RayQuery) access |= VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
+    // The same of ray generation shaders only; compute shaders have no such access without ray query.
+    if (rays == RayBackend::Pipeline) access |= VK_ACCESS_2_MEMORY_READ_BIT;
     return {passStages(rays), access};
 }
 

@@ -92,6 +92,8 @@ Result<BindingTable> BindingTable::create(const Device& device, std::span<const 
     const VkBufferDeviceAddressInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
                                          .buffer = table.buffers_.buffer(0)};
     const VkDeviceAddress start = device.functions.vkGetBufferDeviceAddress(device.info.device, &info);
+    if (start == 0)
+        return failure(device.sink(), Status::InvalidArgument, "the shader binding table's memory has no device address", VK_SUCCESS);
     table.address_ = roundUp(start, unit);
     auto* record = table.buffers_.mapped<uint8_t>(0) + (table.address_ - start);
     for (VkPipeline pipeline : pipelines)
@@ -108,6 +110,7 @@ void BindingTable::trace(const Device& device, VkCommandBuffer cmd, uint32_t pip
     VkStridedDeviceAddressRegionKHR regions[kGroups];
     for (uint32_t group = 0; group < kGroups; ++group)
         regions[group] = {.deviceAddress = address_ + (kGroups * pipeline + group) * stride_, .stride = stride_, .size = stride_};
+    regions[kHit].stride = 0;   // one record for all, whatever offsets the host's instances have for pipelines of its own
     const VkStridedDeviceAddressRegionKHR callable{};
     device.functions.vkCmdTraceRaysKHR(cmd, &regions[kRaygen], &regions[kMiss], &regions[kHit], &callable, width, height, 1);
 }

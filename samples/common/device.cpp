@@ -108,7 +108,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL Device::report(VkDebugUtilsMessageSeverityFlagBit
     return VK_FALSE;
 }
 
-Device::Device(const DeviceDesc& desc) : hasRays_(desc.rays) {
+Device::Device(const DeviceDesc& desc) : hasRays_(desc.rays), hasRayQuery_(desc.rays && desc.rayQuery) {
     try {
         makeInstance(desc);
         if (desc.makeSurface) surface_ = desc.makeSurface(instance_);
@@ -239,11 +239,14 @@ void Device::makeDevice() {
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
     timestampBits_ = families[queueFamily_].timestampValidBits;
 
-    restir::DeviceNeeds needs =
-        restir::deviceNeeds(hasRays_ ? restir::RayBackend::RayQuery : restir::RayBackend::Software);
+    const restir::RayBackend rays = hasRayQuery_ ? restir::RayBackend::RayQuery
+                                    : hasRays_   ? restir::RayBackend::Pipeline
+                                                 : restir::RayBackend::Software;
+    restir::DeviceNeeds needs = restir::deviceNeeds(rays);
+    hasRayPipelines_ = rays == restir::RayBackend::Pipeline;
     addOwnFeatures(needs);
     std::vector<const char*> extensions(needs.extensions.begin(), needs.extensions.end());
-    if (hasRays_ && hasExtension(physical_, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME)) {
+    if (hasRayQuery_ && hasExtension(physical_, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME)) {
         hasRayPipelines_ = true;
         needs.rayTracingPipeline.rayTracingPipeline = VK_TRUE;
         extensions.push_back(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);

@@ -20,6 +20,7 @@ void check(VkResult result, const char* what);
 
 struct DeviceDesc {
     bool rays = true;        // off: as if no device had acceleration structures or ray query
+    bool rayQuery = true;    // off: ray tracing pipelines instead, which must be there
     bool validate = false;   // core and synchronization validation; messages are printed and counted
     // For a window: extensions of the instance, and what makes its surface, which the Device then owns and
     // can present to.
@@ -98,7 +99,7 @@ private:
     VkCommandPool pool_ = VK_NULL_HANDLE;
     uint32_t queueFamily_ = 0;
     uint32_t timestampBits_ = 0;
-    bool hasRays_ = true, hasRayPipelines_ = false;
+    bool hasRays_ = true, hasRayQuery_ = true, hasRayPipelines_ = false;
     uint32_t scratchAlignment_ = 1;
     VkPhysicalDeviceProperties properties_{};
     std::string driver_;

@@ -219,6 +219,7 @@ void GpuScene::buildAcceleration(const SceneData& scene) {
     uint32_t record = 0;
     for (const Instance& instance : scene.instances) {
         VkAccelerationStructureInstanceKHR entry{};
+        entry.instanceShaderBindingTableRecordOffset = 3;   // as of a host with hit shaders of its own: nobody minds
         copyRows(entry.transform.matrix, instance.worldFromObject);
         entry.instanceCustomIndex = record & 0xffffffu;
         entry.mask = 0xff;

@@ -13,6 +13,7 @@ restir::Context makeContext(Device& device, const GpuScene& scene, const Lightin
     desc.framesInFlight = FrameSlots::kCount;
     desc.queueFamily = device.queueFamily();
     desc.maxTextures = std::max(static_cast<uint32_t>(scene.textures().size()), 1u);
+    device.check(restir::checkDevice(desc.device, desc.rays), "restir::checkDevice");
     return device.require(restir::Context::create(desc), "restir::Context");
 }
 

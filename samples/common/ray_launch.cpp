@@ -132,6 +132,7 @@ void RayLaunch::trace(VkCommandBuffer cmd, VkExtent2D extent, std::span<const st
                        static_cast<uint32_t>(constants.size()), constants.data());
     VkStridedDeviceAddressRegionKHR regions[kGroups];
     for (uint32_t i = 0; i < kGroups; ++i) regions[i] = {address_ + i * stride_, stride_, stride_};
+    regions[2].stride = 0;   // one record, whatever an instance's offset
     const VkStridedDeviceAddressRegionKHR callable{};
     const auto traceRays = function<PFN_vkCmdTraceRaysKHR>(device_, "vkCmdTraceRaysKHR");
     traceRays(cmd, &regions[0], &regions[1], &regions[2], &callable, extent.width, extent.height, 1);

@@ -87,8 +87,14 @@ bool LiveShaders::poll() {
     return true;
 }
 
-void LiveShaders::traceBy(restir::RayBackend rays) {
-    compiled_ = compile(rays);
+void LiveShaders::traceBy(restir::RayBackend rays, const std::function<void()>& adopt) {
+    auto last = std::exchange(compiled_, compile(rays));
+    try {
+        adopt();
+    } catch (...) {
+        compiled_ = std::move(last);
+        throw;
+    }
     rays_ = rays;
 }
 

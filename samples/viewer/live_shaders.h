@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -22,8 +23,8 @@ public:
     // Looks for changes, a few times a second. True: there is another pack(). Throws std::runtime_error with
     // the compiler's words where there should be one; the last stays.
     bool poll();
-    // Compiles for another ray backend. Throws as poll().
-    void traceBy(restir::RayBackend rays);
+    // Compiles for another ray backend, for what `adopt` does with pack(). Throws as poll() or as that; the last stays.
+    void traceBy(restir::RayBackend rays, const std::function<void()>& adopt);
     const restir::ShaderPack& pack() const;
 
 private:

@@ -106,8 +106,8 @@ void Viewer::pollShaders() try {
 
 // Likewise.
 void Viewer::switchRays() {
-    if (shaders_) shaders_->traceBy(state_.rays);
-    replaceLighting();
+    if (shaders_) shaders_->traceBy(state_.rays, [this] { replaceLighting(); });
+    else replaceLighting();
 }
 
 void Viewer::replaceLighting() {
@@ -143,12 +143,16 @@ void Viewer::prepare() {
     const auto pictures = std::exchange(state_.savePictures, {});
     try {
         for (const std::string& path : pictures) savePicture(device_, *picture_, path);
+        if (state_.rays == restir::RayBackend::Pipeline && !device_.hasRayPipelines()) {
+            std::fprintf(stderr, "the device has no ray tracing pipelines\n");
+            state_.rays = stage_->lighting->rays();
+        }
         if (state_.rays != stage_->lighting->rays()) switchRays();
         if (!name.empty()) replaceStage(name);
         if (!name.empty() || !pictures.empty()) state_.message.clear();
     } catch (const std::runtime_error& error) {
-        refuse(error.what());
         state_.rays = stage_->lighting->rays();
+        refuse(error.what());
     }
     interrupted_ = interrupted_ || !pictures.empty();
     if (state_.windowSize) window_.resize(*std::exchange(state_.windowSize, {}));

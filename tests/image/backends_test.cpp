@@ -64,6 +64,22 @@ TEST_P(Backends, SameSeedSamePicture) {
     }
 }
 
+// Foliage and the like: any-hit shaders, and the walk through the tree, ask the bridge.
+TEST(AlphaTested, SameSeedSamePicture) {
+    samples::SceneData data = samples::makeBuiltin("market");
+    const samples::Sequence s{.view = data.views[0], .frames = 2, .seed = 5, .accumulate = true};
+    const samples::FloatImage a = World(data, kExtent).render(s, everything());
+    for (restir::RayBackend rays : {restir::RayBackend::Pipeline, restir::RayBackend::Software}) {
+        if (rays == restir::RayBackend::Pipeline && !device().hasRayPipelines()) continue;
+        const samples::FloatImage b = World(data, kExtent, {.rays = rays}).render(s, everything());
+        size_t other = 0;
+        for (size_t i = 0; i < a.rgb.size(); i += 3)
+            other += std::abs(a.rgb[i] - b.rgb[i]) > 1e-3f * (a.rgb[i] + b.rgb[i]) ? 1 : 0;
+        std::printf("market, %s: %zu of %zu pixels differ\n", samples::rayBackend(rays).name, other, a.rgb.size() / 3);
+        EXPECT_LE(other, a.rgb.size() / 3 / 20);
+    }
+}
+
 // Independent seeds, means against means.
 TEST_P(Backends, SameLight) {
     samples::Sequence s = sequence(GetParam());

@@ -104,7 +104,7 @@ RS_SHARED_END
 #define RS_BIND_LIGHTS 7
 #define RS_BIND_PREVIOUS_LIGHTS 8
 #define RS_BIND_ALIAS 9
-#define RS_BIND_TLAS 10   // RayBackend::RayQuery, as the next
+#define RS_BIND_TLAS 10   // RayBackend::RayQuery and Pipeline, as the next
 #define RS_BIND_PREVIOUS_TLAS 11   // the current one where the host gives none
 #define RS_BIND_COUNTERS 12
 #define RS_BIND_RAY_LOG 13

@@ -1,10 +1,10 @@
-// The software ray backend on a device that has been asked for nothing of ray tracing: under validation,
-// which would say so.
+// Ray backends on a device that has been asked for what they need and no more: under validation, which would say so.
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <numbers>
 
+#include <common/acceleration.h>
 #include <common/camera.h>
 #include <common/gpu_memory.h>
 #include <restir/restir.h>
@@ -20,11 +20,13 @@ constexpr glm::vec3 kLamp{0, 1, 0};
 constexpr float kIntensity = 3, kAlbedo = 1;
 constexpr float kEdge = 0.1f;   // of a wall at y = 0.5 towards +x
 
-// A host without acceleration structures: it makes its G-buffer of what it knows about the plane.
+// A host without ray query: it makes its G-buffer of what it knows about the plane.
 class BareHost {
 public:
-    BareHost() {
-        const restir::ContextDesc desc{.device = device_.sdkInfo(), .rays = restir::RayBackend::Software};
+    explicit BareHost(restir::RayBackend rays)
+        : rays_(rays),
+          device_({.rays = rays == restir::RayBackend::Pipeline, .rayQuery = false, .validate = true}) {
+        const restir::ContextDesc desc{.device = device_.sdkInfo(), .rays = rays};
         device_.check(restir::checkDevice(desc.device, desc.rays), "checkDevice");
         context_ = made(restir::Context::create(desc));
         const restir::gpu::RsInstance instance{.material = 0, .firstLight = RS_NO_LIGHT};
@@ -69,15 +71,18 @@ public:
                                                    .normals = restir::NormalEncoding::Xyz,
                                                    .depthKind = restir::DepthKind::Linear,
                                                    .emptyDepth = -1},
-                                       .bvh = &*bvh_,
+                                       .tlas = structure_.top(),
+                                       .bvh = bvh_ ? &*bvh_ : nullptr,
                                        .scene = &*scene_,
                                        .lights = &*lights_,
                                        .output = {.radiance = target_.view()}};
         device_.submitAndWait([&](VkCommandBuffer cmd) {
             const restir::BvhInstance wall{};
             device_.check(lights_->record(cmd, 0), "LightTable::record");
-            device_.check(bvh_->record(cmd, 0, {&wall, 1}), "Bvh::record");
-            const restir::Scope scope = restir::Session::outputScope();
+            if (bvh_) device_.check(bvh_->record(cmd, 0, {&wall, 1}), "Bvh::record");
+            const restir::Scope scope = restir::Session::outputScope(rays_), in = restir::Session::inputScope(rays_);
+            samples::memoryBarrier(cmd, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
+                                   {in.stages, in.access});
             const samples::Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
             const samples::Access copied{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
                                          VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
@@ -117,24 +122,49 @@ private:
     void makeWall() {
         const float positions[] = {kEdge, 0.5f, -9, kEdge, 0.5f, 9, 9, 0.5f, 9, 9, 0.5f, -9};
         const uint32_t indices[] = {0, 1, 2, 0, 2, 3};
+        if (rays_ == restir::RayBackend::Pipeline) return makeStructure(positions, indices);
         const restir::BvhGeometry geometry{.positions = positions, .indices = indices};
         const restir::BvhMesh mesh =
             device_.require(restir::BvhMesh::create({.geometries = {&geometry, 1}}), "BvhMesh");
         bvh_ = made(restir::Bvh::create(*context_, {.meshes = {&mesh, 1}, .maxInstances = 1}));
     }
 
-    samples::Device device_{{.rays = false, .validate = true}};
+    void makeStructure(std::span<const float> positions, std::span<const uint32_t> indices) {
+        constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
+                                             VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+        const auto input = [&](const void* data, size_t bytes) {
+            samples::Buffer buffer(device_, {.size = bytes, .usage = usage, .memory = samples::MemoryKind::Upload});
+            std::memcpy(buffer.mapped(), data, bytes);
+            return buffer;
+        };
+        const samples::Buffer corners = input(positions.data(), positions.size_bytes()),
+                              triangles = input(indices.data(), indices.size_bytes());
+        VkAccelerationStructureInstanceKHR wall{};
+        wall.transform.matrix[0][0] = wall.transform.matrix[1][1] = wall.transform.matrix[2][2] = 1;
+        wall.mask = 0xff;
+        wall.instanceShaderBindingTableRecordOffset = 7;   // of pipelines that the SDK knows nothing of
+        structure_ = samples::Acceleration(device_,
+                                           {{{.positions = corners.address(),
+                                              .indices = triangles.address(),
+                                              .vertexCount = 4,
+                                              .triangleCount = 2}}},
+                                           {wall});
+    }
+
+    restir::RayBackend rays_;
+    samples::Device device_;
     std::optional<restir::Context> context_;
     samples::Buffer instances_, materials_, readback_;
     samples::GpuImage depth_, normal_, color_, material_, target_;
     std::optional<restir::Scene> scene_;
     std::optional<restir::LightTable> lights_;
     std::optional<restir::Bvh> bvh_;
+    samples::Acceleration structure_;
     std::optional<restir::Session> session_;
 };
 
-TEST(SoftwareDevice, ShadowOfAWallWithoutRayTracing) {
-    BareHost host;
+void expectShadow(restir::RayBackend rays) {
+    BareHost host(rays);
     const std::span<const glm::vec4> picture = host.frame();
     const samples::CameraPose pose = host.pose();
     size_t lit = 0, dark = 0;
@@ -157,6 +187,13 @@ TEST(SoftwareDevice, ShadowOfAWallWithoutRayTracing) {
     EXPECT_GT(lit, 200u);
     EXPECT_GT(dark, 200u);
     EXPECT_EQ(host.vulkan().validationMessages(), 0u);
+}
+
+TEST(BareDevice, ShadowOfAWallWithoutRayTracing) { expectShadow(restir::RayBackend::Software); }
+
+TEST(BareDevice, ShadowOfAWallWithoutRayQuery) {
+    if (!device().hasRayPipelines()) GTEST_SKIP() << "no ray tracing pipelines";
+    expectShadow(restir::RayBackend::Pipeline);
 }
 
 }   // namespace

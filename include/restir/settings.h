@@ -116,7 +116,7 @@ enum class Preset : uint8_t {
             // too dark
     Balanced,   // outliers cut back: a little too dark
     Quality,    // the same with more samples and neighbours
-    Unbiased,   // the mean of many frames is right
+    Unbiased,   // Balanced with more candidates and no filter: the mean of many frames is right
 };
 
 // The most neighbours of a preset: what SessionDesc::pairedNeighbours takes for any of them.
@@ -125,17 +125,17 @@ inline constexpr uint32_t kPresetPartners = 8;
 constexpr DiSettings presetSettings(Preset preset) noexcept {
     DiSettings di;
     if (preset == Preset::Fast) {
-        di.lightCandidates = 32;
         di.checkerboard = true;
         di.visibility = VisibilityReuse::Cached;
     } else {
         di.initialSamples = 2;
         di.pairedNeighbours = true;
+        // Fewer make outliers, which the filter takes away.
+        if (preset != Preset::Unbiased) di.lightCandidates = 8;
     }
     if (preset == Preset::Quality) {
         di.initialSamples = 4;
         di.cutSamples = 8;
-        di.lightCandidates = 8;
         di.neighbours = kPresetPartners;
     }
     if (preset != Preset::Unbiased) di.boilingFilter = 0.5f;

@@ -5,7 +5,8 @@
 namespace restir {
 namespace {
 
-enum Group : uint32_t { kRaygen, kMiss, kHit, kGroups };
+// Shader groups.
+constexpr uint32_t kRaygen = 0, kMiss = 1, kHit = 2, kGroups = 3;
 
 VkResult makeModule(const Device& device, const ShaderPack::Module& module, VkShaderModule& shader) noexcept {
     const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,

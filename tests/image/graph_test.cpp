@@ -29,6 +29,8 @@ bool dependent(const PassInfo& a, const PassInfo& b) {
 // wherever it can: views take turns, and of the passes that are ready the last one of the list goes first.
 class Graph {
 public:
+    explicit Graph(restir::RayBackend rays) : scope_(restir::Session::passScope(rays)) {}
+
     void add(restir::Session& session, std::span<const PassInfo> passes) {
         views_.push_back({&session, {passes.begin(), passes.end()}, std::vector<bool>(passes.size())});
     }
@@ -63,8 +65,7 @@ private:
             if (view.done[i] || !ready(view, i)) continue;
             for (size_t before : view.sinceBarrier) {
                 if (!dependent(view.passes[before], view.passes[i])) continue;
-                const restir::Scope scope = restir::Session::passScope();
-                samples::memoryBarrier(cmd, {scope.stages, scope.access}, {scope.stages, scope.access});
+                samples::memoryBarrier(cmd, {scope_.stages, scope_.access}, {scope_.stages, scope_.access});
                 ++barriers_;
                 for (View& all : views_) all.sinceBarrier.clear();
                 break;
@@ -78,6 +79,7 @@ private:
         return false;
     }
 
+    restir::Scope scope_;
     std::vector<View> views_;
     uint32_t barriers_ = 0;
 };
@@ -95,12 +97,13 @@ protected:
         settings.debugView = restir::DebugView::Age;
         settings.gi.mode = restir::IndirectMode::Restir;
     }
-    std::unique_ptr<HostView> makeHost() const {
+    std::unique_ptr<HostView> makeHost(restir::RayBackend rays = restir::RayBackend::RayQuery) const {
         return std::make_unique<HostView>(*scene, view,
                                           HostDesc{.maxExtent = kExtent,
                                                    .allOutputs = true,
                                                    .pairedNeighbours = restir::kPresetPartners,
-                                                   .indirect = true});
+                                                   .indirect = true,
+                                                   .rays = rays});
     }
     // Every output is asked for.
     static restir::FrameInput inputOf(const HostView& host, uint32_t index) {
@@ -114,9 +117,14 @@ protected:
     restir::Settings settings = unbiased();
 };
 
-TEST_F(GraphTest, AnotherLegalOrderGivesTheSameBits) {
+class GraphOrder : public GraphTest, public testing::WithParamInterface<restir::RayBackend> {};
+
+TEST_P(GraphOrder, AnotherLegalOneGivesTheSameBits) {
+    const restir::RayBackend rays = GetParam();
+    if (rays == restir::RayBackend::Pipeline && !device().hasRayPipelines())
+        GTEST_SKIP() << "no ray tracing pipelines";
     constexpr uint32_t kFrames = 3;
-    const std::unique_ptr<HostView> plain = makeHost(), first = makeHost(), second = makeHost();
+    const std::unique_ptr<HostView> plain = makeHost(rays), first = makeHost(rays), second = makeHost(rays);
     std::vector<glm::vec4> expected[size_t(Target::Count)];
     for (uint32_t i = 0; i < kFrames; ++i) plain->frame(inputOf(*plain, i), settings);
     for (size_t t = 0; t < size_t(Target::Count); ++t) {
@@ -125,11 +133,11 @@ TEST_F(GraphTest, AnotherLegalOrderGivesTheSameBits) {
     }
 
     std::string order;
-    const restir::Scope scope = restir::Session::passScope();
+    const restir::Scope scope = restir::Session::passScope(rays);
     device().submitAndWait([&](VkCommandBuffer cmd) {
         for (uint32_t i = 0; i < kFrames; ++i) {
             const restir::FrameInput inputs[] = {inputOf(*first, i), inputOf(*second, i)};
-            Graph graph;
+            Graph graph(rays);
             for (HostView* host : {first.get(), second.get()}) {
                 auto passes = host->session().prepare(inputs[host == second.get()], settings);
                 ASSERT_TRUE(passes);
@@ -152,6 +160,10 @@ TEST_F(GraphTest, AnotherLegalOrderGivesTheSameBits) {
                 << t;
         }
 }
+
+INSTANTIATE_TEST_SUITE_P(Backends, GraphOrder,
+                         testing::Values(restir::RayBackend::RayQuery, restir::RayBackend::Pipeline,
+                                         restir::RayBackend::Software));
 
 TEST_F(GraphTest, RefusesWhatWasNotPrepared) {
     const std::unique_ptr<HostView> host = makeHost();

@@ -113,14 +113,13 @@ function(restir_compile_passes target)
             string(APPEND pack_includes "#include \"${symbol}.h\"\n")
         endforeach()
         if(backend STREQUAL PIPELINE)
-            foreach(shader rmiss:miss rchit:closest_hit rahit:any_hit)
-                string(REPLACE : ";" shader ${shader})
-                list(GET shader 0 stage)
-                list(GET shader 1 name)
+            foreach(shader miss.rmiss closest_hit.rchit any_hit.rahit)
+                string(REGEX MATCH "^[^.]+" name ${shader})
+                string(REGEX MATCH "[^.]+$" stage ${shader})
                 set(symbol rays_${name})
                 string(APPEND rows "    {\"rays.${name}\", ${symbol}, sizeof ${symbol} / sizeof(uint32_t)},\n")
                 _restir_compile(${target}
-                    SOURCE ${rays_dir}/${name}.glsl HEADER ${out}/${symbol}.h SYMBOL ${symbol} STAGE ${stage}
+                    SOURCE ${rays_dir}/${shader}.glsl HEADER ${out}/${symbol}.h SYMBOL ${symbol} STAGE ${stage}
                     FLAGS -I${bridge} ${includes} -DRS_RAY_STAGE)
                 string(APPEND pack_includes "#include \"${symbol}.h\"\n")
             endforeach()

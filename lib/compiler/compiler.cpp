@@ -99,9 +99,9 @@ std::vector<Job> jobsOf(const CompileDesc& desc) {
     }
     if (stages) {
         const fs::path shared = raysOf(desc);
-        jobs.push_back({"rays.miss", shared / "miss.glsl", VK_SHADER_STAGE_MISS_BIT_KHR});
-        jobs.push_back({"rays.closest_hit", shared / "closest_hit.glsl", VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR});
-        jobs.push_back({"rays.any_hit", shared / "any_hit.glsl", VK_SHADER_STAGE_ANY_HIT_BIT_KHR});
+        jobs.push_back({"rays.miss", shared / "miss.rmiss.glsl", VK_SHADER_STAGE_MISS_BIT_KHR});
+        jobs.push_back({"rays.closest_hit", shared / "closest_hit.rchit.glsl", VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR});
+        jobs.push_back({"rays.any_hit", shared / "any_hit.rahit.glsl", VK_SHADER_STAGE_ANY_HIT_BIT_KHR});
     }
     return jobs;
 }
@@ -125,7 +125,7 @@ const char* wrongWith(const CompileDesc& desc) {
         say(sink, Severity::Error, "CompileDesc::rays is " + std::to_string(int(desc.rays)));
         return "CompileDesc::rays is no RayBackend";
     }
-    if (desc.rays == RayBackend::Pipeline && lacks("shaderDirectory", desc.shaderDirectory, "rays/pipeline/any_hit.glsl"))
+    if (desc.rays == RayBackend::Pipeline && lacks("shaderDirectory", desc.shaderDirectory, "rays/pipeline/any_hit.rahit.glsl"))
         return "CompileDesc::shaderDirectory is not restir's";
     if (desc.rays == RayBackend::Own && lacks("raysDirectory", desc.raysDirectory, "restir_rays.glsl"))
         return "CompileDesc::raysDirectory has no restir_rays.glsl";

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include <closest_hit.spv.h>
+#include <miss.spv.h>
 #include <trace_any.spv.h>
-#include <trace_closest.spv.h>
-#include <trace_miss.spv.h>
 #include <trace_pipeline.spv.h>
 
 namespace samples {
@@ -67,8 +67,8 @@ void RayLaunch::makeLayout(uint32_t constantsSize) {
 
 void RayLaunch::makePipeline() {
     const Stage shaders[] = {{VK_SHADER_STAGE_RAYGEN_BIT_KHR, k_trace_pipeline_spv},
-                             {VK_SHADER_STAGE_MISS_BIT_KHR, k_trace_miss_spv},
-                             {VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, k_trace_closest_spv},
+                             {VK_SHADER_STAGE_MISS_BIT_KHR, k_miss_spv},
+                             {VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, k_closest_hit_spv},
                              {VK_SHADER_STAGE_ANY_HIT_BIT_KHR, k_trace_any_spv}};
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     for (const Stage& shader : shaders)

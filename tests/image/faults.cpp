@@ -75,19 +75,25 @@ RESTIR_OBJECT(DescriptorPool, vkCreateDescriptorPool, VkDescriptorPoolCreateInfo
 RESTIR_OBJECT(QueryPool, vkCreateQueryPool, VkQueryPoolCreateInfo, vkDestroyQueryPool)
 #undef RESTIR_OBJECT
 
+template <class Create>
+VkResult createPipelines(const char* call, uint32_t count, VkPipeline* pipelines, const Create& create) {
+    if (fails(call)) {
+        for (uint32_t i = 0; i < count; ++i) pipelines[i] = VK_NULL_HANDLE;   // this one is specified
+        return state.result;
+    }
+    const VkResult result = create();
+    for (uint32_t i = 0; i < count; ++i)
+        if (pipelines[i]) ++alive[{"Pipeline", restir::handleValue(pipelines[i])}];
+    return result;
+}
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache,
                                                         uint32_t count,
                                                         const VkComputePipelineCreateInfo* infos,
                                                         const VkAllocationCallbacks* allocator,
                                                         VkPipeline* pipelines) {
-    if (fails("vkCreateComputePipelines")) {
-        for (uint32_t i = 0; i < count; ++i) pipelines[i] = VK_NULL_HANDLE;   // this one is specified
-        return state.result;
-    }
-    const VkResult result = ::vkCreateComputePipelines(device, cache, count, infos, allocator, pipelines);
-    for (uint32_t i = 0; i < count; ++i)
-        if (pipelines[i]) ++alive[{"Pipeline", restir::handleValue(pipelines[i])}];
-    return result;
+    return createPipelines("vkCreateComputePipelines", count, pipelines, [&] {
+        return ::vkCreateComputePipelines(device, cache, count, infos, allocator, pipelines);
+    });
 }
 PFN_vkCreateRayTracingPipelinesKHR realCreateRayTracing = nullptr;
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateRayTracingPipelinesKHR(VkDevice device, VkDeferredOperationKHR deferred,
@@ -95,14 +101,9 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateRayTracingPipelinesKHR(VkDevice device, V
                                                               const VkRayTracingPipelineCreateInfoKHR* infos,
                                                               const VkAllocationCallbacks* allocator,
                                                               VkPipeline* pipelines) {
-    if (fails("vkCreateRayTracingPipelinesKHR")) {
-        for (uint32_t i = 0; i < count; ++i) pipelines[i] = VK_NULL_HANDLE;
-        return state.result;
-    }
-    const VkResult result = realCreateRayTracing(device, deferred, cache, count, infos, allocator, pipelines);
-    for (uint32_t i = 0; i < count; ++i)
-        if (pipelines[i]) ++alive[{"Pipeline", restir::handleValue(pipelines[i])}];
-    return result;
+    return createPipelines("vkCreateRayTracingPipelinesKHR", count, pipelines, [&] {
+        return realCreateRayTracing(device, deferred, cache, count, infos, allocator, pipelines);
+    });
 }
 PFN_vkGetRayTracingShaderGroupHandlesKHR realGetGroupHandles = nullptr;
 VKAPI_ATTR VkResult VKAPI_CALL vkGetRayTracingShaderGroupHandlesKHR(VkDevice device, VkPipeline pipeline,

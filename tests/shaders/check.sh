@@ -27,9 +27,9 @@ for file in $(find passes -mindepth 2 -name '*.glsl' | sort); do
         compile "$file, pipeline" "$file" pipeline rgen
     fi
 done
-compile "miss" rays/pipeline/miss.glsl pipeline rmiss
-compile "closest hit" rays/pipeline/closest_hit.glsl pipeline rchit
-compile "any hit" rays/pipeline/any_hit.glsl pipeline rahit
+for stage in rmiss rchit rahit; do
+    for file in rays/pipeline/*.$stage.glsl; do compile "$file" "$file" pipeline $stage; done
+done
 for file in $(find restir -name '*.glsl' ! -path 'restir/bridge/*' | sort); do
     stage=comp extension=GL_EXT_ray_query group='layout(local_size_x = 8, local_size_y = 8) in;'
     [ "$file" = restir/rays/pipeline.glsl ] && stage=rgen extension=GL_EXT_ray_tracing group=

@@ -1,10 +1,11 @@
 // Ray backend: VK_KHR_ray_query. The includer declares `accelerationStructureEXT rsTlas` and
-// `rsPreviousTlas`, last frame's. Only the start of a traversal names one: the traversal is there once per function.
+// `rsPreviousTlas`, last frame's. Only the start of a traversal names one: the traversal is there once.
 #ifndef RESTIR_RAYS_QUERY_GLSL
 #define RESTIR_RAYS_QUERY_GLSL
-#include "restir/rays/hit.glsl"
+#include "restir/rays/answers.glsl"
 
-RsHit rsTraceQuery(vec3 origin, vec3 direction, float tmax, uint flags, bool previous) {
+RsHit rsTrace(vec3 origin, vec3 direction, float tmax, bool any, bool previous) {
+    uint flags = any ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT;
     rayQueryEXT query;
     if (previous)
         rayQueryInitializeEXT(query, rsPreviousTlas, flags, 0xffu, origin, 0.0, direction, tmax);
@@ -26,16 +27,6 @@ RsHit rsTraceQuery(vec3 origin, vec3 direction, float tmax, uint flags, bool pre
                       rayQueryGetIntersectionGeometryIndexEXT(query, true)),
                  uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true)),
                  rayQueryGetIntersectionBarycentricsEXT(query, true));
-}
-
-bool rsOccluded(vec3 origin, vec3 direction, float tmax, bool previous) {
-    rsOnRay(origin, direction, tmax, false);
-    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsTerminateOnFirstHitEXT, previous).t >= 0.0;
-}
-
-RsHit rsClosestHit(vec3 origin, vec3 direction, float tmax) {
-    rsOnRay(origin, direction, tmax, true);
-    return rsTraceQuery(origin, direction, tmax, gl_RayFlagsNoneEXT, false);
 }
 
 #endif

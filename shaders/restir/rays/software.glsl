@@ -3,7 +3,7 @@
 // entries lead back to their parents.
 #ifndef RESTIR_RAYS_SOFTWARE_GLSL
 #define RESTIR_RAYS_SOFTWARE_GLSL
-#include "restir/rays/hit.glsl"
+#include "restir/rays/answers.glsl"
 #include "restir/shared/bvh.h"
 
 // What the includer binds.
@@ -56,7 +56,7 @@ bool rsBvhTriangle(RsBvhRay ray, vec3 a, vec3 b, vec3 c, float tmax, out float t
     return inside && sum != 0.0 && slope != 0.0 && t > 0.0 && t < tmax;
 }
 
-RsHit rsTraceBvh(vec3 origin, vec3 direction, float tmax, bool any, bool previous) {
+RsHit rsTrace(vec3 origin, vec3 direction, float tmax, bool any, bool previous) {
     RsHit hit = RsHit(-1.0, 0u, 0u, vec2(0.0));
     RsBvhRay ray = rsBvhRay(origin, direction);
     uint word = rsBvhRoot(previous);
@@ -125,16 +125,6 @@ RsHit rsTraceBvh(vec3 origin, vec3 direction, float tmax, bool any, bool previou
         entry ^= 1u;
         word = rsLoadBvhLink(2u * entry);
     }
-}
-
-bool rsOccluded(vec3 origin, vec3 direction, float tmax, bool previous) {
-    rsOnRay(origin, direction, tmax, false);
-    return rsTraceBvh(origin, direction, tmax, true, previous).t >= 0.0;
-}
-
-RsHit rsClosestHit(vec3 origin, vec3 direction, float tmax) {
-    rsOnRay(origin, direction, tmax, true);
-    return rsTraceBvh(origin, direction, tmax, false, false);
 }
 
 #endif

@@ -1,8 +1,0 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_ray_tracing : require
-#include "restir/rays/hit.glsl"
-
-layout(location = 0) rayPayloadInEXT RsHit payload;
-
-void main() { payload.t = -1.0; }

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace restir {
 namespace {
@@ -32,16 +31,25 @@ struct Split {
     uint32_t bin = 0;
 };
 
+// A box and its place among those given. Ranges are sorted themselves, not places in them: what a node sweeps
+// over is then contiguous.
+struct Item {
+    Box box;
+    uint32_t index;
+};
+
 class Builder {
 public:
-    Builder(std::span<const Box> boxes, uint32_t leafSize, uint32_t leafFlags, Tree& tree) noexcept
-        : boxes_(boxes), leafSize_(leafSize), leafFlags_(leafFlags), tree_(tree) {}
+    Builder(std::span<const Box> boxes, uint32_t leafSize, uint32_t leafFlags, Tree& tree)
+        : leafSize_(leafSize), leafFlags_(leafFlags), tree_(tree) {
+        items_.reserve(boxes.size());
+        for (const Box& box : boxes) items_.push_back({box, uint32_t(items_.size())});
+    }
 
     void run() {
-        const auto count = uint32_t(boxes_.size());
+        const auto count = uint32_t(items_.size());
         tree_.nodes.clear();
-        tree_.order.resize(count);
-        std::iota(tree_.order.begin(), tree_.order.end(), 0u);
+        tree_.order.clear();
         tree_.root = RS_BVH_EMPTY;
         tree_.depth = 0;
         tree_.cost = 0;
@@ -55,13 +63,15 @@ public:
             todo_.pop_back();
             build(task);
         }
+        tree_.order.reserve(count);
+        for (const Item& item : items_) tree_.order.push_back(item.index);
     }
 
 private:
     Task taskOf(uint32_t first, uint32_t last, uint32_t entry, uint32_t depth) const noexcept {
         Task task{first, last, Box::empty(), Box::empty(), entry, depth};
         for (uint32_t i = first; i < last; ++i) {
-            const Box& box = boxes_[tree_.order[i]];
+            const Box& box = items_[i].box;
             const float centre[3] = {box.centre(0), box.centre(1), box.centre(2)};
             task.box.add(box);
             task.centres.add(centre);
@@ -131,7 +141,7 @@ private:
         Bin bins[3][kBins];
         const float scale[3] = {binScale(task, 0), binScale(task, 1), binScale(task, 2)};
         for (uint32_t i = task.first; i < task.last; ++i) {
-            const Box& box = boxes_[tree_.order[i]];
+            const Box& box = items_[i].box;
             for (int axis = 0; axis < 3; ++axis) {
                 Bin& bin = bins[axis][binOf(task, axis, scale[axis], box)];
                 bin.box.add(box);
@@ -165,26 +175,26 @@ private:
 
     // Reorders the range; where its second part begins.
     uint32_t divide(const Task& task, const Split& split) noexcept {
-        const auto begin = tree_.order.begin() + task.first, end = tree_.order.begin() + task.last;
+        const auto begin = items_.begin() + task.first, end = items_.begin() + task.last;
         if (split.axis >= 0) {
             const float scale = binScale(task, split.axis);
-            const auto left = [&](uint32_t i) {
-                return binOf(task, split.axis, scale, boxes_[i]) < split.bin;
+            const auto left = [&](const Item& item) {
+                return binOf(task, split.axis, scale, item.box) < split.bin;
             };
-            return uint32_t(std::partition(begin, end, left) - tree_.order.begin());
+            return uint32_t(std::partition(begin, end, left) - items_.begin());
         }
         int axis = 0;
         for (int i = 1; i < 3; ++i)
             if (task.centres.high[i] - task.centres.low[i] > task.centres.high[axis] - task.centres.low[axis])
                 axis = i;
         const auto middle = begin + (task.last - task.first) / 2;
-        std::nth_element(begin, middle, end, [&](uint32_t a, uint32_t b) {
-            return boxes_[a].centre(axis) < boxes_[b].centre(axis);
+        std::nth_element(begin, middle, end, [&](const Item& a, const Item& b) {
+            return a.box.centre(axis) < b.box.centre(axis);
         });
-        return uint32_t(middle - tree_.order.begin());
+        return uint32_t(middle - items_.begin());
     }
 
-    std::span<const Box> boxes_;
+    std::vector<Item> items_;
     uint32_t leafSize_, leafFlags_;
     Tree& tree_;
     double rootArea_ = 1;

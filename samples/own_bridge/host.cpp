@@ -14,8 +14,7 @@ using samples::check;
 
 constexpr Access kCopyFrom{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
                            VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
-constexpr Access kWritten{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-                          VK_IMAGE_LAYOUT_GENERAL};
+constexpr Access kWritten{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
 struct VisibilityConstants {
     samples::CameraPose pose;
@@ -46,10 +45,11 @@ std::vector<Paint> paintsOf(const samples::SceneData& scene) {
 }
 
 Host::Host(samples::Device& device, const samples::GpuScene& scene, std::span<const Paint> paints,
-           VkExtent2D extent)
+           VkExtent2D extent, restir::RayBackend rays)
     : device_(device),
       scene_(scene),
       extent_(extent),
+      rays_(rays),
       visibility_(storage(device, bytesOf(extent), samples::MemoryKind::Gpu)),
       paints_(storage(device, paints.size_bytes(), samples::MemoryKind::Upload)),
       visibilityPass_(device, scene, k_visibility_spv, {}, sizeof(VisibilityConstants),
@@ -77,9 +77,12 @@ Host::~Host() {
 // Set 1: what the bridge reads.
 void Host::makeSet(std::span<const Paint> paints) {
     std::memcpy(paints_.mapped(), paints.data(), paints.size_bytes());
+    VkShaderStageFlags stages = VK_SHADER_STAGE_COMPUTE_BIT;
+    if (rays_ == restir::RayBackend::Pipeline)
+        stages |= VK_SHADER_STAGE_RAYGEN_BIT_KHR | VK_SHADER_STAGE_ANY_HIT_BIT_KHR;
     VkDescriptorSetLayoutBinding bindings[3];
     for (uint32_t i = 0; i < 3; ++i)
-        bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+        bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, stages, nullptr};
     const VkDescriptorSetLayoutCreateInfo layoutInfo{
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
         .bindingCount = 3,
@@ -111,8 +114,10 @@ void Host::makeSet(std::span<const Paint> paints) {
 void Host::makeSdkObjects() {
     restir::ContextDesc desc;
     desc.device = device_.sdkInfo();
-    desc.shaders = &kEmbeddedPack;       // the passes with this host's bridge,
-    desc.bridgeSetLayout = setLayout_;   // and its set 1 instead of a restir::Scene
+    // The passes with this host's bridge, and its set 1 instead of a restir::Scene.
+    desc.shaders = rays_ == restir::RayBackend::Pipeline ? &kEmbeddedPipelinePack : &kEmbeddedQueryPack;
+    desc.bridgeSetLayout = setLayout_;
+    desc.rays = rays_;
     desc.framesInFlight = 1;
     desc.queueFamily = device_.queueFamily();
     context_ = made(device_, restir::Context::create(desc), "restir::Context");
@@ -146,19 +151,20 @@ void Host::frame(const samples::View& view, uint64_t index, uint32_t seed, const
                     .diffuse = targets_[Diffuse].view(),
                     .specular = targets_[Specular].view()};
     input.resetHistory = reset;
-    const restir::Scope readers = restir::Session::inputScope();
+    const restir::Scope readers = restir::Session::inputScope(rays_), writer = restir::Session::outputScope(rays_);
+    const Access lit{writer.stages, writer.access, VK_IMAGE_LAYOUT_GENERAL};
     device_.submitAndWait([&](VkCommandBuffer cmd) {
         visibilityPass_.record(cmd, extent_, VisibilityConstants{pose, extent_});
         samples::memoryBarrier(cmd, kWritten, {readers.stages, readers.access});
         for (const samples::GpuImage& target : targets_)
             samples::pipelineBarrier(
                 cmd, {{samples::imageBarrier(target, {kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED},
-                                             kWritten)}});
+                                             lit)}});
         device_.check(session_->record(cmd, input, settings), "restir::Session::record");
         const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                        .imageExtent = {extent_.width, extent_.height, 1}};
         for (size_t i = 0; i < TargetCount; ++i) {
-            samples::pipelineBarrier(cmd, {{samples::imageBarrier(targets_[i], kWritten, kCopyFrom)}});
+            samples::pipelineBarrier(cmd, {{samples::imageBarrier(targets_[i], lit, kCopyFrom)}});
             vkCmdCopyImageToBuffer(cmd, targets_[i].handle(), kCopyFrom.layout, readbacks_[i].handle(), 1,
                                    &region);
         }

@@ -28,9 +28,9 @@ class Host {
 public:
     enum Target : uint8_t { Radiance, Diffuse, Specular, TargetCount };
 
-    // The scene outlives it. One frame is in flight at a time.
+    // The scene outlives it. One frame is in flight at a time. `rays`: RayQuery or Pipeline.
     Host(samples::Device& device, const samples::GpuScene& scene, std::span<const Paint> paints,
-         VkExtent2D extent);
+         VkExtent2D extent, restir::RayBackend rays = restir::RayBackend::RayQuery);
     ~Host();
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
@@ -47,6 +47,7 @@ private:
     samples::Device& device_;
     const samples::GpuScene& scene_;
     VkExtent2D extent_;
+    restir::RayBackend rays_;
     samples::Buffer visibility_, paints_;
     samples::ComputePass visibilityPass_;
     samples::GpuImage targets_[TargetCount];

@@ -58,8 +58,9 @@ protected:
         view = data.views[0];
         scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
     }
-    std::unique_ptr<HostView> host(const restir::MemoryProvider& memory = {}) const {
-        return std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent, .memory = memory});
+    std::unique_ptr<HostView> host(const restir::MemoryProvider& memory = {},
+                                   restir::RayBackend rays = restir::RayBackend::RayQuery) const {
+        return std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent, .memory = memory, .rays = rays});
     }
 
     samples::View view;
@@ -88,14 +89,30 @@ TEST_F(Memory, ProviderSeesWhatWasAnnounced) {
     EXPECT_TRUE(provider.live.empty());
 }
 
+// With pipelines the Context's binding table is the provider's, too; the software backend's trees are.
 TEST_F(Memory, ProviderGivesTheSamePicture) {
-    Provider provider;
-    const samples::FloatImage expected = host()->frames(0, 3, unbiased());
-    {
-        const std::unique_ptr<HostView> provided = host(provider.sdk());
-        EXPECT_EQ(provided->frames(0, 3, unbiased()).rgb, expected.rgb);
-        EXPECT_FALSE(provider.live.empty());
+    for (const restir::RayBackend rays :
+         {restir::RayBackend::RayQuery, restir::RayBackend::Pipeline, restir::RayBackend::Software}) {
+        Provider provider;
+        const samples::FloatImage expected = host({}, rays)->frames(0, 3, unbiased());
+        {
+            const std::unique_ptr<HostView> provided = host(provider.sdk(), rays);
+            EXPECT_EQ(provided->frames(0, 3, unbiased()).rgb, expected.rgb) << "backend " << int(rays);
+            EXPECT_FALSE(provider.live.empty());
+        }
+        EXPECT_TRUE(provider.live.empty());
     }
+}
+
+TEST_F(Memory, WithoutRoomForTheBindingTableThereIsNoContext) {
+    Provider provider;
+    provider.allowed = 0;
+    restir::ContextDesc desc = HostView::contextDesc();
+    desc.device.memory = provider.sdk();
+    desc.rays = restir::RayBackend::Pipeline;
+    const auto context = restir::Context::create(desc);
+    ASSERT_FALSE(context);
+    EXPECT_EQ(context.error().status, restir::Status::OutOfDeviceMemory);
     EXPECT_TRUE(provider.live.empty());
 }
 

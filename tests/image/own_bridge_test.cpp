@@ -23,7 +23,9 @@ protected:
         scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
         makeHost();
     }
-    void makeHost() { host = std::make_unique<own_bridge::Host>(device(), *scene, paints, kExtent); }
+    void makeHost(restir::RayBackend rays = restir::RayBackend::RayQuery) {
+        host = std::make_unique<own_bridge::Host>(device(), *scene, paints, kExtent, rays);
+    }
     samples::FloatImage picture(uint32_t seed, own_bridge::Host::Target target = own_bridge::Host::Radiance) {
         for (uint32_t i = 0; i < 4; ++i) host->frame(view, i, seed, unbiased(), i == 0);
         return host->read(target);
@@ -44,6 +46,14 @@ TEST_F(OwnBridge, PaintOverPlaneIsItsClosedForm) {
     }));
     Verdict verdict(1, 96);
     verdict.add("own bridge", compare(statistics, truth));
+}
+
+// The bridge in ray generation and any-hit shaders, and set 1 bound for them.
+TEST_F(OwnBridge, PipelinesGiveTheSamePicture) {
+    const samples::FloatImage expected = picture(1);
+    EXPECT_GT(largest(expected), 0.1f);
+    makeHost(restir::RayBackend::Pipeline);
+    EXPECT_EQ(picture(1).rgb, expected.rgb);
 }
 
 // A BSDF without RS_BRIDGE_LOBES: all is in one lobe, over a factor of 1.

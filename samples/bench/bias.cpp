@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "bench/command.h"
-#include "common/scene_options.h"
 #include "common/setting_options.h"
 #include "proof/run.h"
 
@@ -50,7 +49,7 @@ void run(const Options& options) {
     for (const proof::Row& row : plan.rows)
         samples::declareFor(samples::parseSettings(row.settings), session);
     samples::Device device({.validate = options.validate});
-    proof::Prover prover(device, load(options.scene), plan.extent, session);
+    proof::Prover prover(device, load({.scene = options.scene}), plan.extent, session);
     std::fprintf(stderr, "%s, %ux%u, %s, commit %s\n", options.scene.c_str(), plan.extent.width,
                  plan.extent.height, device.driver().c_str(), proof::builtCommit());
     proof::run(plan, file, prover,

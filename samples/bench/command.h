@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/scene.h"
+#include "common/scene_options.h"
 #include "proof/cell.h"
 
 namespace bench {
@@ -24,6 +24,6 @@ void addRays(CLI::App& app);     // how fast rays alone are
 void addRows(CLI::App& app, std::vector<std::string>& texts);
 
 // Warnings go to stderr.
-samples::SceneData load(const std::string& scene);
+samples::SceneData load(const samples::SceneOptions& scene);
 
 }   // namespace bench

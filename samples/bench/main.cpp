@@ -12,9 +12,9 @@ void addRows(CLI::App& app, std::vector<std::string>& texts) {
         ->allow_extra_args(false);
 }
 
-samples::SceneData load(const std::string& scene) {
+samples::SceneData load(const samples::SceneOptions& scene) {
     std::vector<std::string> warnings;
-    samples::SceneData data = samples::loadScene(scene, warnings);
+    samples::SceneData data = samples::load(scene, warnings);
     for (const std::string& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     return data;
 }

@@ -6,7 +6,6 @@
 #include "bench/workbench.h"
 #include "common/lighting.h"
 #include "common/ray_lists.h"
-#include "common/scene_options.h"
 
 namespace bench {
 namespace {
@@ -55,7 +54,7 @@ void printTrees(const samples::GpuScene& scene) {
 }
 
 void run(samples::Device& device, const std::string& name, const Options& options) {
-    samples::SceneData data = load(name);
+    samples::SceneData data = load({.scene = name});
     const samples::View view = data.views.empty() ? samples::frameScene(data) : data.views[0];
     samples::GpuScene scene(device, std::move(data));
     std::printf("\n%s, %llu triangles\n", name.c_str(),

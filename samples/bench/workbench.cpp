@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "common/scene_options.h"
 #include "common/setting_options.h"
 
 namespace bench {
@@ -12,9 +11,9 @@ namespace {
 
 constexpr uint32_t kLoggedRays = 24;   // per pixel, at most
 
-samples::View viewOf(const samples::SceneData& scene, float zoom) {
-    samples::View view = scene.views.empty() ? samples::frameScene(scene) : scene.views[0];
-    view.verticalFov = 2 * std::atan(std::tan(view.verticalFov / 2) / zoom);
+samples::View viewOf(const SceneOptions& options, const samples::SceneData& scene) {
+    samples::View view = samples::chooseView(options.scene, scene);
+    view.verticalFov = 2 * std::atan(std::tan(view.verticalFov / 2) / options.zoom);
     return view;
 }
 
@@ -28,7 +27,8 @@ double medianOf(const samples::PassStats& pass) {
 }
 
 void addScene(CLI::App& command, SceneOptions& options) {
-    command.add_option("scene", options.scene, "a glTF file or builtin:NAME")->required()->type_name("SCENE");
+    command.add_option("scene", options.scene.scene, "a glTF file or builtin:NAME")->required()->type_name("SCENE");
+    samples::addSceneOptions(command, options.scene);
     samples::addSize(command, options.extent, "of the picture in pixels");
     command.add_option("--frames", options.frames, "of a sequence, the last of which is measured (30)")
         ->check(CLI::Range(2, 10000))
@@ -86,10 +86,10 @@ double Contender::bytesPerPixel() const {
 
 Workbench::Workbench(const SceneOptions& options) : extent_(options.extent), rays_(options.rays) {
     samples::SceneData data = load(options.scene);
-    sequence_ = {.view = viewOf(data, options.zoom), .orbitDegrees = options.move};
+    sequence_ = {.view = viewOf(options, data), .orbitDegrees = options.move};
     if (!options.animation.empty()) sequence_.motion = samples::findMotion(data, options.animation);
     scene_ = std::make_unique<samples::GpuScene>(device_, std::move(data));
-    std::printf("%s, %ux%u, %zu lights, %s\n", options.scene.c_str(), options.extent.width,
+    std::printf("%s, %ux%u, %zu lights, %s\n", options.scene.scene.c_str(), options.extent.width,
                 options.extent.height, scene_->lights().size(), device_.driver().c_str());
     for (const std::string& text : options.rows) {
         const proof::Row row = proof::parseRow(text, options.settings);

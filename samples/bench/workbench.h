@@ -8,12 +8,13 @@
 #include "bench/command.h"
 #include "common/gpu_scene.h"
 #include "common/renderer.h"
+#include "common/scene_options.h"
 #include "proof/measures.h"
 
 namespace bench {
 
 struct SceneOptions {
-    std::string scene;
+    samples::SceneOptions scene;
     VkExtent2D extent{320, 180};
     uint32_t frames = 30;
     float move = 0.2f;

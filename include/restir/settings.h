@@ -102,12 +102,15 @@ struct GiSettings {
     float radius = 30.0f;           // pixels, > 0
     float normalThreshold = 0.9f;   // as in DiSettings
     float depthThreshold = 0.1f;
+    // As in DiSettings. Where nobody around is on a pixel's surface, it traces a path of its own.
+    bool checkerboard = false;
     // Not the defensive form: what that leaves to a pixel's own path is more than that is worth here.
     Weights weights = Weights::PairwisePlain;
     // Cached or Traced, as in DiSettings. None does not exist: every path is traced, so a reservoir never
     // holds what its pixel does not see.
     VisibilityReuse visibility = VisibilityReuse::Traced;
     bool averageShading = true;   // as in DiSettings
+    float boilingFilter = 0;      // as in DiSettings
 };
 
 // Where to start from, each measured against the others and against the truth in the README.

@@ -78,6 +78,8 @@ struct RangeCheck {
             return refuse(sink, "restir: %s::weights is %d", of, int(s.weights));
         if (s.visibility > VisibilityReuse::Traced)
             return refuse(sink, "restir: %s::visibility is %d", of, int(s.visibility));
+        if (!(s.boilingFilter >= 0 && s.boilingFilter <= 1))
+            return refuse(sink, "restir: %s::boilingFilter is %g, must be in [0, 1]", of, double(s.boilingFilter));
         return Status::Ok;
     }
 };
@@ -88,9 +90,6 @@ Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
     if (Status s = check.within("initialSamples", di.initialSamples, 1, 8); s != Status::Ok) return s;
     if (Status s = check.within("cutSamples", di.cutSamples, 1, 8); s != Status::Ok) return s;
     if (Status s = check.within("bsdfCandidates", di.bsdfCandidates, 0, 8); s != Status::Ok) return s;
-    if (!(di.boilingFilter >= 0 && di.boilingFilter <= 1))
-        return refuse(sink, "restir: DiSettings::boilingFilter is %g, must be in [0, 1]",
-                      double(di.boilingFilter));
     if (di.mode > DirectMode::Off) return refuse(sink, "restir: DiSettings::mode is %d", int(di.mode));
     return Status::Ok;
 }

@@ -44,11 +44,10 @@ uint32_t partnerSquare(float radius, bool pairs) noexcept {
     return 2 * std::max(uint32_t(std::lround(radius * (pairs ? 0.38730f : 0.61237f))), 1u);
 }
 
-// The other half than last time.
-uint32_t fieldOf(const Session::Impl& s, const FrameInput& frame, const Settings& settings,
-                 bool history) noexcept {
-    if (!alternates(frame.extent, settings.di)) return 0;
-    return history && s.history.field == 1 ? 2 : 1;
+// The other half than last time, of pixels or of pixels with paths; 0: all.
+uint32_t fieldOf(bool alternates, uint32_t last) noexcept {
+    if (!alternates) return 0;
+    return last == 1 ? 2 : 1;
 }
 
 // What any kind of reuse has.
@@ -62,19 +61,18 @@ gpu::RsDiConstants reuseConstants(const S& s) noexcept {
             .depthThreshold = s.depthThreshold,
             .weights = uint32_t(s.weights),
             .visibility = uint32_t(s.visibility),
+            .boilingFilter = s.boilingFilter,
             .freshConfidence = 1};
 }
 
-gpu::RsDiConstants diConstants(const DiSettings& di, bool history, uint32_t field) noexcept {
+gpu::RsDiConstants diConstants(const DiSettings& di, bool history, bool alternates) noexcept {
     const bool cut = di.temporal && !history;
     gpu::RsDiConstants c = reuseConstants(di);
     c.bsdfCandidates = di.bsdfCandidates;
-    c.boilingFilter = di.boilingFilter;
     c.initialSamples = cut ? std::max(di.initialSamples, di.cutSamples) : di.initialSamples;
-    c.partnerSquare = partnerSquare(di.radius, field != 0);
+    c.partnerSquare = partnerSquare(di.radius, alternates);
     c.freshConfidence =
         c.initialSamples / di.initialSamples;   // what the next frames' candidates are weighed against
-    c.field = field;
     return c;
 }
 
@@ -129,10 +127,15 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.environmentExtent = lights.environment.extent();
     const auto& found = lights.recorded.found;
     c.infiniteLights = {found[0], found[1], found[2], found[3]};
-    c.di = diConstants(settings.di, history, fieldOf(s, frame, settings, history));
+    const bool alternate = alternates(frame.extent, settings.di);
+    c.di = diConstants(settings.di, history, alternate);
     c.di.previousField = history ? s.history.field : 0;
+    c.di.field = fieldOf(alternate, c.di.previousField);
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
     c.gi = reuseConstants(settings.gi);
+    c.gi.previousField = giHistory ? s.history.giField : 0;
+    c.gi.field = fieldOf(alternates(frame.extent, settings.gi), c.gi.previousField);
+    c.giScratch = 1 - s.history.reservoirs;
     if (lights.hasTree) {
         c.di.treeShare = settings.di.treeShare;
         c.gi.treeShare = settings.gi.treeShare;

@@ -29,7 +29,7 @@ struct Context::Impl {
         VkPipeline pipeline = VK_NULL_HANDLE;
         int traced = -1;   // in `bindingTable`; < 0: a compute pipeline
     };
-    std::array<Pipeline, 34> pipelines{{{"surface.pack"},
+    std::array<Pipeline, 36> pipelines{{{"surface.pack"},
                                        {"di.candidates"},
                                        {"di.temporal"},
                                        {"di.spatiotemporal"},
@@ -45,8 +45,10 @@ struct Context::Impl {
                                        {"di.off"},
                                        {"gi.candidates"},
                                        {"gi.temporal"},
+                                       {"gi.boiling"},
                                        {"gi.spatial"},
                                        {"gi.shade"},
+                                       {"gi.fill"},
                                        {"lights.means"},
                                        {"lights.meshes"},
                                        {"lights.extent"},

@@ -20,7 +20,8 @@ bool averages(bool wanted, VisibilityReuse visibility, Weights weights) noexcept
 class Planner {
 public:
     Planner(const PlanInput& input, const Settings& settings) noexcept
-        : input_(input), settings_(settings), checkerboard_(alternates(input.extent, settings.di)) {}
+        : input_(input), settings_(settings), checkerboard_(alternates(input.extent, settings.di)),
+          giCheckerboard_(alternates(input.extent, settings.gi)) {}
 
     Plan run() {
         add(surface::pack());
@@ -50,7 +51,9 @@ private:
     // A stage of indirect light.
     void addIndirect(PassInfo pass) {
         if (input_.indirectLobes && pass.shades) addUse(pass, {Resource::Outputs, Access::Write});
-        add(pass);
+        if (giCheckerboard_ && pass.shades)   // for gi.fill, where direct light starts later
+            addUse(pass, {reservoirs(1 - input_.historyIn), Access::ReadWrite});
+        add(pass, giCheckerboard_);
     }
 
     void indirect() {
@@ -58,14 +61,17 @@ private:
         plan_.giHistoryOut = input_.giHistoryIn;
         if (gi.mode == IndirectMode::Path) return addIndirect(gi::path());
         uint32_t current = 1 - input_.giHistoryIn;
-        add(gi::candidates(current));
-        if (gi.temporal && input_.giHistory) add(gi::temporal(input_.giHistoryIn, current));
+        addIndirect(gi::candidates(current));
+        const bool remembers = gi.temporal && input_.giHistory;
+        if (remembers) addIndirect(gi::temporal(input_.giHistoryIn, current));
+        if (remembers && gi.boilingFilter > 0) addIndirect(gi::boiling(current));
         const bool means = averages(gi.averageShading, gi.visibility, gi.weights) && gi.spatialPasses > 0;
         for (uint32_t i = 0; i < gi.spatialPasses; ++i) {
             addIndirect(gi::spatial(current, 1 - current, i, means && i + 1 == gi.spatialPasses));
             current = 1 - current;
         }
         if (!means) addIndirect(gi::shade(current));
+        if (giCheckerboard_) addIndirect(gi::fill());
         plan_.giHistoryOut = current;
     }
 
@@ -113,7 +119,7 @@ private:
 
     const PlanInput& input_;
     const Settings& settings_;
-    bool checkerboard_;
+    bool checkerboard_, giCheckerboard_;
     Plan plan_;
 };
 
@@ -121,6 +127,10 @@ private:
 
 bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept {
     return settings.checkerboard && settings.mode == DirectMode::Restir && extent.width > 1;
+}
+
+bool alternates(VkExtent2D extent, const GiSettings& settings) noexcept {
+    return settings.checkerboard && settings.mode == IndirectMode::Restir && extent.width > 1;
 }
 
 Plan makePlan(const PlanInput& input, const Settings& settings) { return Planner(input, settings).run(); }

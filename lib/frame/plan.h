@@ -24,6 +24,7 @@ struct Plan {
 
 // Whether frames of this extent light half of their pixels. A column alone has no others to be filled from.
 bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept;
+bool alternates(VkExtent2D extent, const GiSettings& settings) noexcept;
 
 Plan makePlan(const PlanInput& input, const Settings& settings);
 

@@ -133,6 +133,7 @@ Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame,
                  .bvh = bvh ? bvh->serial : 0,
                  .bvhGeneration = bvh ? bvh->generation : 0,
                  .field = constants.di.field,
+                 .giField = constants.gi.field,
                  .visibility = settings.di.visibility,
                  .giVisibility = settings.gi.visibility};
     return Status::Ok;

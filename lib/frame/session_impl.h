@@ -41,7 +41,7 @@ struct History {
     uint64_t lightGeneration = 0;
     uint64_t bvh = 0;   // likewise of the Bvh
     uint64_t bvhGeneration = 0;
-    uint32_t field = 0;   // which pixels have reservoirs: restir/di/field.glsl
+    uint32_t field = 0, giField = 0;   // which pixels have reservoirs of either: restir/di/field.glsl
     VisibilityReuse visibility = VisibilityReuse::None, giVisibility = VisibilityReuse::None;   // whether samples were killed
 };
 

@@ -89,7 +89,8 @@ SettingOption choice(std::string name, T Part::*field, std::string help,
                 }};
 }
 
-SettingOption onOff(std::string name, bool DiSettings::*field, std::string help) {
+template <class Part>
+SettingOption onOff(std::string name, bool Part::*field, std::string help) {
     return choice<bool>(std::move(name), field, std::move(help), {{"on", true}, {"off", false}});
 }
 
@@ -179,6 +180,10 @@ const std::vector<SettingOption>& settingOptions() {
                "what is left of the history of light scattered three times and more where lights change, 0 "
                "to 1 (0)",
                {0, 1}),
+        onOff("gi-checkerboard", &GiSettings::checkerboard,
+              "paths for half of the pixels a frame, the rest filled in, which blurs indirect light by a pixel (off)"),
+        number("gi-boiling-filter", &GiSettings::boilingFilter,
+               "cuts outliers of indirect light back, 0 to 1: less noise, too dark (0: off)", {0, 1}),
         choice<Weights>("gi-weights", &GiSettings::weights,
                         "of indirect light, as those of direct light (plain)", kWeights),
         choice<Weights>(

@@ -111,7 +111,8 @@ bool rsWantsLobes() {
 }
 #else
 bool rsWantsLobes() {
-    return rsPass.shades != 0u && (rsFrame.flags & (RS_FRAME_INDIRECT_DIFFUSE | RS_FRAME_INDIRECT_SPECULAR)) != 0u;
+    bool asked = (rsFrame.flags & (RS_FRAME_INDIRECT_DIFFUSE | RS_FRAME_INDIRECT_SPECULAR)) != 0u || rsFrame.gi.field != RS_FIELD_ALL;
+    return rsPass.shades != 0u && asked;
 }
 #endif
 // What a pixel shines of itself: its emission, and indirect light as far as it has been added.

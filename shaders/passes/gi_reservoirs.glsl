@@ -1,5 +1,6 @@
 // Reservoirs of indirect light, and where what they bring goes.
 #include "restir/gi/room.glsl"
+#include "passes/lit.glsl"
 
 layout(set = RS_SET, binding = RS_BIND_GI_RESERVOIRS, scalar) buffer RsGiReservoirs { uvec4 at[]; } rsGiReservoirs[2 * RS_GI_STREAMS];
 
@@ -13,6 +14,10 @@ void rsStoreGiReservoir(uint which, uint i, RsGiReservoir r) {
     rsGiReservoirs[first].at[i] = uvec4(floatBitsToUint(r.position), r.geometricNormal);
     rsGiReservoirs[first + 1u].at[i] = r.surface;
     rsGiReservoirs[first + 2u].at[i] = uvec4(r.arrival, floatBitsToUint(r.ucw), r.confidence);
+}
+void rsScaleGiReservoir(uint which, uint i, float factor) {
+    uint at = RS_GI_STREAMS * which + 2u;
+    rsGiReservoirs[at].at[i].z = floatBitsToUint(uintBitsToFloat(rsGiReservoirs[at].at[i].z) * factor);
 }
 float rsStaleShare() { return rsFrame.giStale; }
 RsGiReservoir rsLoadGiSource(uvec2 pixel) { return rsLoadGiReservoir(rsPass.source, rsIndex(pixel)); }
@@ -31,9 +36,27 @@ void rsAddIndirect(uvec2 pixel, vec3 light, inout RsRandom random) {
 layout(set = RS_SET, binding = RS_BIND_INDIRECT_DIFFUSE) uniform writeonly image2D rsIndirectDiffuseImage;
 layout(set = RS_SET, binding = RS_BIND_INDIRECT_SPECULAR) uniform writeonly image2D rsIndirectSpecularImage;
 
+// What gi.fill takes from the pixels that a checkerboard lights, where direct light has no reservoirs as yet.
+void rsStoreLit(uvec2 pixel, RsShading shading) {
+    uint i = rsIndex(pixel);
+    uvec2 lit = rsPackLit(shading);
+    rsReservoirs[rsFrame.giScratch].at[i].light = lit.x;
+    rsReservoirs[rsFrame.giScratch].at[i].uv = lit.y;
+    rsReservoirs[rsFrame.giScratch].at[i].ucw = rsMeanDistance(shading.diffuse + shading.specular);
+}
+RsLobes rsLoadLit(uvec2 pixel) {
+    uint i = rsIndex(pixel);
+    return rsUnpackLit(uvec2(rsReservoirs[rsFrame.giScratch].at[i].light, rsReservoirs[rsFrame.giScratch].at[i].uv));
+}
+vec2 rsLitDistance(RsSurface s, uvec2 pixel) {
+    RsLobes lit = rsLoadLit(pixel);
+    return rsLuminance(lit.diffuse + lit.specular) * vec2(rsReservoirs[rsFrame.giScratch].at[rsIndex(pixel)].ucw, 1.0);
+}
+
 vec4 rsIndirectOutput(vec4 sum) { return vec4(sum.rgb * rsFrame.exposure, rsMeanDistance(sum)); }
 void rsShadeIndirect(uvec2 pixel, RsShading shading, inout RsRandom random) {
     rsAddIndirect(pixel, shading.radiance, random);
+    if (rsFrame.gi.field != RS_FIELD_ALL) rsStoreLit(pixel, shading);
     ivec2 at = ivec2(pixel + rsFrame.outputOrigin);
     if ((rsFrame.flags & RS_FRAME_INDIRECT_DIFFUSE) != 0u)
         imageStore(rsIndirectDiffuseImage, at, rsIndirectOutput(shading.diffuse));

@@ -1,4 +1,6 @@
 // The host's output images. Empty pixels are 0.
+#include "passes/lit.glsl"
+
 layout(set = RS_SET, binding = RS_BIND_RADIANCE) uniform writeonly image2D rsRadianceImage;
 layout(set = RS_SET, binding = RS_BIND_DIFFUSE) uniform writeonly image2D rsDiffuseImage;
 layout(set = RS_SET, binding = RS_BIND_SPECULAR) uniform writeonly image2D rsSpecularImage;
@@ -6,15 +8,8 @@ layout(set = RS_SET, binding = RS_BIND_SPECULAR) uniform writeonly image2D rsSpe
 vec4 rsLobeOutput(vec4 sum) { return vec4(sum.rgb * rsFrame.exposure, rsMeanDistance(sum)); }
 
 // What di.fill takes from the pixels that a checkerboard lights, in place of motion and emission, which these need no more.
-void rsStoreLit(uvec2 pixel, RsShading shading) {
-    rsSurfacesFrame[rsIndex(pixel)] = uvec2(rsPackRadiance(shading.diffuse.rgb * rsFrame.exposure),
-                                            rsPackRadiance(shading.specular.rgb * rsFrame.exposure));
-}
-RsLobes rsLoadLit(uvec2 pixel) {
-    float scale = rsFrame.exposure > 0.0 ? 1.0 / rsFrame.exposure : 0.0;
-    uvec2 lit = rsSurfacesFrame[rsIndex(pixel)];
-    return RsLobes(rsUnpackRadiance(lit.x) * scale, rsUnpackRadiance(lit.y) * scale);
-}
+void rsStoreLit(uvec2 pixel, RsShading shading) { rsSurfacesFrame[rsIndex(pixel)] = rsPackLit(shading); }
+RsLobes rsLoadLit(uvec2 pixel) { return rsUnpackLit(rsSurfacesFrame[rsIndex(pixel)]); }
 
 // Radiance contains what the surface emits, the lobes do not.
 void rsWriteOutputs(uvec2 pixel, RsShading shading) {

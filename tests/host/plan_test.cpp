@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <frame/context_impl.h>
+
 #include "host/plans.h"
 
 namespace tests {
@@ -62,17 +64,36 @@ TEST(Plan, OrderOfIndirectStages) {
               (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.shade", "di.off"}));
     EXPECT_EQ(order(true, {.visibility = VisibilityReuse::Cached}),
               (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "gi.shade", "di.off"}));
+    EXPECT_EQ(order(true, {.boilingFilter = 0.5f}),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.boiling", "gi.spatial", "di.off"}));
+    EXPECT_EQ(order(false, {.boilingFilter = 0.5f}),
+              (Names{"surface.pack", "gi.candidates", "gi.spatial", "di.off"}));
+    EXPECT_EQ(order(true, {.checkerboard = true}),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "gi.fill", "di.off"}));
+    EXPECT_EQ(order(true, {.mode = IndirectMode::Path, .checkerboard = true}),
+              (Names{"surface.pack", "gi.candidates", "di.off"}));
     EXPECT_EQ(order(true, {.mode = IndirectMode::Path}), (Names{"surface.pack", "gi.candidates", "di.off"}));
     EXPECT_EQ(names(makePlan({kExtent, true, 0, false, true, 0}, {.gi = {.mode = IndirectMode::Restir}})),
               (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "di.candidates",
                      "di.temporal", "di.spatial"}));
 }
 
+// Else it would be recorded without one.
+TEST(Plan, EveryPassHasAPipeline) {
+    const Context::Impl context;
+    for (const Plan& plan : allPlans())
+        for (const PassInfo& pass : plan.passes)
+            EXPECT_TRUE(std::any_of(context.pipelines.begin(), context.pipelines.end(), [&](const auto& pipeline) {
+                return std::string(pipeline.pass) == pass.name;
+            })) << pass.name;
+}
+
 // What it reads is what direct light's passes begin with.
 TEST(Plan, IndirectLightIsAddedOnceAndBeforeItIsWritten) {
     for (const Settings& settings : allSettings()) {
         const Plan plan = makePlan({kExtent, true, 0, false, true, 0}, settings);
-        const auto adds = [](const PassInfo& pass) { return isIndirect(pass) && pass.shades; };
+        // To half of the pixels; to the others gi.fill does.
+        const auto adds = [](const PassInfo& pass) { return isIndirect(pass) && pass.shades && stageOf(pass) != "fill"; };
         EXPECT_EQ(std::count_if(plan.passes.begin(), plan.passes.end(), adds),
                   settings.gi.mode == IndirectMode::Off ? 0 : 1);
         const auto writer = std::find_if(plan.passes.begin(), plan.passes.end(), [](const PassInfo& pass) {
@@ -175,6 +196,19 @@ TEST(Plan, GroupsCoverTheExtent) {
         const std::string name = pass.name;
         EXPECT_EQ(pass.groups[0], name == "surface.pack" || name == "di.debug" ? 41u : 21u) << name;
         EXPECT_EQ(pass.groups[1], 23u);
+    }
+}
+
+// Each kind of light has its own half.
+TEST(Plan, AHalfOfIndirectLightLeavesDirectLightWhole) {
+    for (bool direct : {false, true}) {
+        const Settings settings{.di = {.checkerboard = direct},
+                                .gi = {.mode = IndirectMode::Restir, .checkerboard = !direct}};
+        for (const PassInfo& pass : makePlan({kExtent, true, 0, false, true, 0}, settings).passes) {
+            const std::string name = pass.name;
+            const bool half = name != "surface.pack" && isIndirect(pass) != direct;
+            EXPECT_EQ(pass.groups[0], half ? 21u : 41u) << name;
+        }
     }
 }
 

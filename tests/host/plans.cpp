@@ -32,6 +32,14 @@ std::vector<Settings> allSettings() {
                     {.di = {.mode = direct},
                      .gi = {
                          .mode = IndirectMode::Restir, .spatialPasses = spatial, .averageShading = average}});
+    for (auto direct : {DirectMode::Restir, DirectMode::NextEvent, DirectMode::Off})
+        for (bool checkerboard : {false, true})
+            for (auto visibility : {VisibilityReuse::Cached, VisibilityReuse::Traced})
+                all.push_back({.di = {.mode = direct, .checkerboard = checkerboard},
+                               .gi = {.mode = IndirectMode::Restir,
+                                      .checkerboard = true,
+                                      .visibility = visibility,
+                                      .boilingFilter = 0.5f}});
     all.push_back({.gi = {.mode = IndirectMode::Path}});
     return all;
 }

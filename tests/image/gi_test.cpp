@@ -101,6 +101,48 @@ TEST(Gi, GlossyRoomAgreesWithTheReference) {
                     {kPath, kBoth}, 64);
 }
 
+// The floor of a room one wall of which shines. What direct light would be if it were blurred as well is the same to a
+// fraction of a thousandth.
+TEST(Gi, CheckerboardBlursByAPixelAndNoMore) {
+    samples::SceneData scene;
+    addRoom(scene, {.color = kAlbedo, .roughness = 1, .specular = 0}, {-2, 0, -2}, {2, 3, 2});
+    addQuad(scene, {.origin = {-1.99f, 0.1f, -1.9f}, .u = {0, 2.8f, 0}, .v = {0, 0, 3.8f}},
+            {.color = {0, 0, 0}, .emission = {6, 5, 4}, .specular = 0});
+    scene.views.push_back({.eye = {0, 1.3f, 1.2f}, .target = {0, 0, 0.2f}, .verticalFov = 0.9f});
+    World world(std::move(scene), kExtent);
+    samples::Sequence sequence{.view = world.view(), .frames = 4, .accumulate = true};
+    SeedStatistics truth;
+    for (sequence.seed = 1; sequence.seed <= 32; ++sequence.seed)
+        truth.add(halfBlurred(world.reference(sequence, {.paths = 20, .bounces = kBounces})));
+    expectAgreement(world, referenceFromSeeds(truth), {named("checkerboard", [](auto& gi) { gi.checkerboard = true; })}, 64);
+}
+
+// Half of the pixels take half of the rays, and in turns, whatever direct light does.
+TEST(Gi, CheckerboardTakesTurns) {
+    samples::SceneData data = room({.color = kAlbedo, .roughness = 1, .specular = 0});
+    const samples::View view = data.views[0];
+    const samples::GpuScene scene(device(), std::move(data));
+    HostView host(scene, view, {.maxExtent = kExtent, .indirect = true});
+    const auto rays = [&](uint32_t frame, bool direct, bool half) {
+        restir::Settings settings = indirect();
+        settings.di.mode = direct ? restir::DirectMode::Restir : restir::DirectMode::Off;
+        settings.counters = true;
+        settings.gi.checkerboard = half;
+        host.frame(host.input(frame), settings);
+        return double(host.session().counters(frame % HostView::kSlots).rays);
+    };
+    const auto sequence = [&](bool direct, bool half) {
+        host.newSession();
+        for (uint32_t i = 0; i < 3; ++i) rays(i, direct, half);
+        return rays(3, direct, half);
+    };
+    const double whole = sequence(false, false);
+    EXPECT_NEAR(sequence(false, true), whole / 2, whole / 20);
+    EXPECT_NEAR(rays(4, false, false), whole, whole / 10);   // with only half a history
+    const double both = sequence(true, false);
+    EXPECT_NEAR(sequence(true, true), both - whole / 2, whole / 20);
+}
+
 // Where everything shines 1 and reflects a, n scatterings leave 1 + a + ... + a^n.
 TEST(Gi, ClosedRoomThatShinesHasTheKnownRadiance) {
     samples::SceneData scene;
@@ -113,7 +155,8 @@ TEST(Gi, ClosedRoomThatShinesHasTheKnownRadiance) {
     samples::FloatImage truth{kExtent.width, kExtent.height, {}};
     for (uint32_t i = 0; i < kExtent.width * kExtent.height; ++i)
         truth.rgb.insert(truth.rgb.end(), {sum.x, sum.y, sum.z});
-    expectAgreement(world, exactly(truth), {kPath, kBoth});
+    expectAgreement(world, exactly(truth),
+                    {kPath, kBoth, named("checkerboard", [](auto& gi) { gi.checkerboard = true; })});
 }
 
 double sumOf(const samples::FloatImage& image) {

@@ -118,6 +118,26 @@ std::vector<NamedSettings> checkerboards() {
     return all;
 }
 
+samples::FloatImage halfBlurred(const samples::FloatImage& image) {
+    samples::FloatImage blurred = image;
+    const int width = int(image.width), height = int(image.height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                const auto at = [&](int i, int j) { return size_t(3 * (j * width + i) + c); };
+                float sum = 0, count = 0;
+                for (auto [i, j] : {std::pair(x - 1, y), std::pair(x + 1, y), std::pair(x, y - 1), std::pair(x, y + 1)}) {
+                    if (i < 0 || j < 0 || i >= width || j >= height) continue;
+                    sum += image.rgb[at(i, j)];
+                    ++count;
+                }
+                blurred.rgb[at(x, y)] = 0.5f * (image.rgb[at(x, y)] + sum / count);
+            }
+        }
+    }
+    return blurred;
+}
+
 bool allFinite(const samples::FloatImage& image) {
     return std::all_of(image.rgb.begin(), image.rgb.end(), [](float v) { return std::isfinite(v); });
 }

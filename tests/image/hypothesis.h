@@ -39,6 +39,10 @@ std::vector<NamedSettings> unbiasedSettings();
 // Unbiased but for what they fill in.
 std::vector<NamedSettings> checkerboards();
 
+// What checkerboards() of a plane converge to: every pixel is lit in every other frame, and has the mean of its neighbours in
+// the others.
+samples::FloatImage halfBlurred(const samples::FloatImage& image);
+
 bool allFinite(const samples::FloatImage& image);
 float largest(const samples::FloatImage& image);
 // The largest |a - b| relative to the largest value of b.

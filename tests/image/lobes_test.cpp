@@ -286,6 +286,9 @@ TEST_F(IndirectLobes, PutTogetherTheyAreTheRadiance) {
     expect("path");
     settings.gi.mode = restir::IndirectMode::Restir;
     expect("mean");
+    settings.gi.checkerboard = true;
+    expect("checkerboard");
+    settings.gi.checkerboard = false;
     settings.gi.averageShading = false;
     expect("selected");
     settings.gi.spatialPasses = 2;

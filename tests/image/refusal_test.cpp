@@ -124,6 +124,7 @@ const BadFrame kBadFrames[] = {
     {"SessionDesc::indirect", [](FrameInput&, Settings& s) { s.gi.mode = restir::IndirectMode::Restir; }},
     {"indirectSpecular", [](FrameInput& f, Settings&) { f.output.indirectSpecular = f.output.radiance; }},
     {"GiSettings::bounces", [](FrameInput&, Settings& s) { s.gi.bounces = 1; }},
+    {"GiSettings::boilingFilter", [](FrameInput&, Settings& s) { s.gi.boilingFilter = -0.1f; }},
     {"GiSettings::visibility",
      [](FrameInput&, Settings& s) { s.gi.visibility = restir::VisibilityReuse::None; }},
     {"lightCandidates", [](FrameInput&, Settings& s) { s.di.lightCandidates = 0; }},

@@ -42,6 +42,7 @@ struct RsFrame {
     RsDiConstants di;
     RsDiConstants gi;   // of indirect light
     uint giBounces;     // scattering events of a path at most
+    uint giScratch;     // reservoir buffer of direct light that is free meanwhile: what lit pixels reflect, for gi.fill
     float giStale;      // [0, 1] what last frame's paths behind a second vertex count for
     uint bvhRoot;       // RayBackend::Software: words of this frame's tree and the last one's
     uint bvhPreviousRoot;

@@ -8,7 +8,7 @@
 #include "passes/gi_reservoirs.glsl"
 
 void main() {
-    uvec2 pixel = rsPixelOn(RS_FIELD_ALL);
+    uvec2 pixel = rsPixelOn(rsFrame.gi.field);
     if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_GI + RS_STAGE_CANDIDATES);

@@ -7,12 +7,12 @@
 #include "restir/di/shade.glsl"
 
 void main() {
-    uvec2 pixel = rsPixelOn(RS_FIELD_ALL);
+    uvec2 pixel = rsPixelOn(rsFrame.gi.field);
     if (!rsInside(pixel)) return;
     uint i = rsIndex(pixel);
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir r = rsLoadGiReservoir(rsPass.target, i);
-    RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_GI + RS_STAGE_FILL);
+    RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_GI + RS_STAGE_SHADE);
     bool occluded = false;
     RsShading shading = rsNoLight();
     if (s.valid) shading = rsDiShade(s, r, rsFrame.gi.visibility, occluded);

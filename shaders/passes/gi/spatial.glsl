@@ -7,7 +7,7 @@
 #include "restir/di/spatial.glsl"
 
 void main() {
-    uvec2 pixel = rsPixelOn(RS_FIELD_ALL);
+    uvec2 pixel = rsPixelOn(rsFrame.gi.field);
     if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsReservoir canonical = rsLoadGiSource(pixel);

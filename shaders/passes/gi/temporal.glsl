@@ -8,7 +8,7 @@
 #include "restir/di/temporal.glsl"
 
 void main() {
-    uvec2 pixel = rsPixelOn(RS_FIELD_ALL);
+    uvec2 pixel = rsPixelOn(rsFrame.gi.field);
     if (!rsInside(pixel)) return;
     RsSurface s = rsLoadSurface(pixel);
     if (!s.valid) return;

@@ -8,6 +8,7 @@
 #define RS_STAGE_SPATIAL 2u
 #define RS_STAGE_FILL 64u
 #define RS_STAGE_OWN_LIGHT 65u
+#define RS_STAGE_SHADE 66u
 #define RS_STAGE_GI 128u   // and on from there as for DI
 
 struct RsRandom { uint state; };

@@ -119,6 +119,7 @@ struct LightBuffers {
     VkBuffer lights = VK_NULL_HANDLE;        // gpu::RsPackedLight[count]; one of two handles, in turns
     VkBuffer alias = VK_NULL_HANDLE;         // gpu::RsAliasEntry[]
     VkBuffer environment = VK_NULL_HANDLE;   // gpu::RsEnvironmentTexel[], row by row
+    VkBuffer tree = VK_NULL_HANDLE;          // restir/lights/tree.glsl; null without LightTableDesc::tree
     uint32_t count = 0;                      // one more than the largest id; 0: there are no lights
     VkExtent2D environmentExtent = {0, 0};   // texels
 };

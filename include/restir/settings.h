@@ -145,6 +145,19 @@ constexpr DiSettings presetSettings(Preset preset) noexcept {
     return di;
 }
 
+// The same for indirect light.
+constexpr GiSettings presetIndirect(Preset preset) noexcept {
+    GiSettings gi;
+    gi.mode = IndirectMode::Restir;
+    if (preset == Preset::Fast) {
+        gi.checkerboard = true;
+        gi.visibility = VisibilityReuse::Cached;
+    }
+    if (preset == Preset::Quality) gi.neighbours = kPresetPartners;
+    if (preset != Preset::Unbiased) gi.boilingFilter = 0.5f;
+    return gi;
+}
+
 // What Output::debug shows of the reservoirs that a frame ends with. rgb is a colour to be shown as it is
 // (neither tone-mapped nor encoded again), w the number behind it. A pixel without a surface is black and 0.
 // In the views of a sample, a pixel without one is grey and -1. Ramps run from dark blue over blue, green and

@@ -86,10 +86,12 @@ private:
         const bool remembers = di.temporal && input_.history;
         const bool fused = di.fused && remembers && di.spatialPasses > 0;
         const bool filters = remembers && di.boilingFilter > 0;
+        // It looks at motion, which lit pixels of a checkerboard overwrite.
+        const bool showsBefore = input_.gradient && checkerboard_;
         const uint32_t spatialPasses = di.spatialPasses - (fused ? 1 : 0);
-        // A filtered reservoir is shaded after the filter.
+        // A reservoir is shaded after the filter.
         const bool means = averages(di.averageShading, di.visibility, di.weights) &&
-                           (spatialPasses > 0 || (fused && !filters));
+                           (spatialPasses > 0 || (fused && !filters && !showsBefore));
         if (fused)
             addDirect(di::spatiotemporal(history, current, means && spatialPasses == 0));
         else if (remembers)

@@ -69,7 +69,7 @@ struct Session::Impl {
 
 inline constexpr uint32_t kMaxSpatialPasses = 8;
 inline constexpr uint32_t kMaxNeighbours = 16;
-inline constexpr uint32_t kMaxTimedPasses = 12 + 3 * kMaxSpatialPasses;
+inline constexpr uint32_t kMaxTimedPasses = 13 + 3 * kMaxSpatialPasses;   // of the longest plan
 
 std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
 

@@ -232,6 +232,7 @@ LightBuffers LightTable::buffers() const noexcept {
     return {.lights = t.current(),
             .alias = t.alias(),
             .environment = t.environment.buffer(),
+            .tree = t.hasTree ? t.buffer(TableBuffer::Tree) : VK_NULL_HANDLE,
             .count = t.recorded.count,
             .environmentExtent = {extent.x, extent.y}};
 }

@@ -154,7 +154,7 @@ const SettingOption& presetOption() {
                                               [](Settings& settings, std::string_view text) {
                                                   for (const auto& [key, preset] : kPresets) {
                                                       if (key != text) continue;
-                                                      settings.di = restir::presetSettings(preset);
+                                                      applyPreset(settings, preset);
                                                       return true;
                                                   }
                                                   return false;
@@ -262,6 +262,14 @@ void addSettingOptions(CLI::App& app, Settings& settings) {
     }
     app.add_flag_callback(
         "--no-spatial", [&settings] { settings.di.spatialPasses = 0; }, "--spatial-passes 0");
+}
+
+void applyPreset(Settings& settings, restir::Preset preset) {
+    const GiSettings before = settings.gi;
+    settings.di = restir::presetSettings(preset);
+    settings.gi = restir::presetIndirect(preset);
+    settings.gi.mode = before.mode;
+    settings.gi.bounces = before.bounces;
 }
 
 void reuseAlike(Settings& settings) {

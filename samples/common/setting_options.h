@@ -33,6 +33,8 @@ const SettingOption& settingOption(std::string_view name);
 // --preset NAME, and an option --NAME for each of them that `app` has not got yet; on|off ones also as the
 // flag --NAME or --no-NAME. `settings` must outlive the parsing. Call reuseAlike() after it.
 void addSettingOptions(CLI::App& app, restir::Settings& settings);
+// For direct and indirect light; whether there is indirect light, and of how many bounces, stays.
+void applyPreset(restir::Settings& settings, restir::Preset preset);
 // Says of indirect light's reuse what is said of direct light's, but for VisibilityReuse::None, which it does
 // not have.
 void reuseAlike(restir::Settings& settings);
@@ -41,8 +43,8 @@ std::string modeText(const restir::Settings& settings);   // the value of the op
 // The weights, the visibility and whatever else is not the default; parseSettings() of it gives `settings`
 // back.
 std::string settingsText(const restir::Settings& settings);
-// What `text` names is changed in `base`, for direct and indirect light alike; preset=NAME goes first, it
-// replaces all of direct light's. Throws std::runtime_error naming what it cannot read.
+// What `text` names is changed in `base`, for direct and indirect light alike; preset=NAME goes first
+// (applyPreset()). Throws std::runtime_error naming what it cannot read.
 restir::Settings parseSettings(std::string_view text, restir::Settings base = {});
 
 // Adds to `desc` what a session must declare to be used with `settings`.

@@ -10,7 +10,7 @@
 namespace probe {
 
 struct Probe {
-    glm::vec3 position, normal, irradiance;
+    glm::vec3 position, normal, irradiance;   // normal 0: irradiance is the fluence, of light from all around
 };
 
 class Probes {
@@ -21,7 +21,7 @@ public:
 
     std::span<Probe> probes() const { return {reinterpret_cast<Probe*>(buffer_.mapped()), count_}; }
     // By so many lights each.
-    void light(uint32_t draws, uint32_t seed) const;
+    void light(uint32_t draws, uint32_t seed, float treeShare = 0.75f) const;
 
 private:
     const samples::Device& device_;

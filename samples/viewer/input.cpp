@@ -8,6 +8,8 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "common/setting_options.h"
+
 namespace viewer {
 namespace {
 
@@ -48,7 +50,7 @@ void dragLine(State& state) {
 
 void press(int key, State& state, const Stage& stage) {
     if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + int(std::size(kPresets)))
-        state.settings.di = restir::presetSettings(kPresets[key - GLFW_KEY_1].preset);
+        samples::applyPreset(state.settings, kPresets[key - GLFW_KEY_1].preset);
     switch (key) {
         case GLFW_KEY_F1:
             state.panels = !state.panels;

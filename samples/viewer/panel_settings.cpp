@@ -67,10 +67,13 @@ void edit(const SettingOption& option, restir::Settings& settings) {
 
 void drawSettings(State& state) {
     for (const PresetName& known : kPresets) {
-        if (ImGui::Button(known.name)) state.settings.di = restir::presetSettings(known.preset);
+        if (ImGui::Button(known.name)) samples::applyPreset(state.settings, known.preset);
         ImGui::SameLine();
     }
-    if (ImGui::Button("defaults")) state.settings.di = {};
+    if (ImGui::Button("defaults")) {
+        state.settings.di = {};
+        state.settings.gi = {.mode = state.settings.gi.mode, .bounces = state.settings.gi.bounces};
+    }
     for (const SettingOption& option : samples::settingOptions()) edit(option, state.settings);
     samples::reuseAlike(state.settings);
 }

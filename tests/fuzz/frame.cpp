@@ -60,7 +60,10 @@ void takeFrame(Take& take, restir::FrameInput& frame) {
 
 void takeSettings(Take& take, restir::Settings& settings) {
     restir::DiSettings& di = settings.di;
-    if (take.value<uint8_t>() >= 0xc0) di = restir::presetSettings(restir::Preset(take.below(5)));
+    if (take.value<uint8_t>() >= 0xc0) {
+        const auto preset = restir::Preset(take.below(5));
+        settings = {.di = restir::presetSettings(preset), .gi = restir::presetIndirect(preset)};
+    }
     take.maybe(di.mode, di.lightCandidates, di.initialSamples, di.cutSamples, di.bsdfCandidates, di.treeShare,
                di.temporal, di.maxHistory, di.permuteHistory, di.spatialPasses, di.neighbours, di.fused,
                di.checkerboard, di.radius, di.pairedNeighbours, di.normalThreshold, di.depthThreshold,

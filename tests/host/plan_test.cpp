@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <frame/context_impl.h>
+#include <frame/session_impl.h>
 
 #include "host/plans.h"
 
@@ -197,6 +198,36 @@ TEST(Plan, GroupsCoverTheExtent) {
         EXPECT_EQ(pass.groups[0], name == "surface.pack" || name == "di.debug" ? 41u : 21u) << name;
         EXPECT_EQ(pass.groups[1], 23u);
     }
+}
+
+// It needs the motion of pixels that di.fill's neighbours overwrite.
+TEST(Plan, GradientComesBeforeAHalfIsLit) {
+    for (const Settings& settings : allSettings()) {
+        if (!settings.di.checkerboard) continue;
+        const Plan plan = makePlan({kExtent, true, 0, true, true, 0}, settings);
+        for (const PassInfo& pass : plan.passes) {
+            if (std::string(pass.name) != "di.gradient") continue;
+            EXPECT_TRUE(std::none_of(plan.passes.data(), &pass, [](const PassInfo& before) {
+                return !isIndirect(before) && before.shades;
+            }));
+        }
+    }
+}
+
+// What the Session has timestamps for.
+TEST(Plan, TheLongestIsAsLongAsDeclared) {
+    const Settings longest{.di = {.spatialPasses = kMaxSpatialPasses,
+                                  .checkerboard = true,
+                                  .pairedNeighbours = true,
+                                  .averageShading = false,
+                                  .boilingFilter = 0.5f},
+                           .gi = {.mode = IndirectMode::Restir,
+                                  .spatialPasses = kMaxSpatialPasses,
+                                  .checkerboard = true,
+                                  .averageShading = false,
+                                  .boilingFilter = 0.5f},
+                           .debugView = DebugView::Age};
+    EXPECT_EQ(makePlan({kExtent, true, 0, true, true, 0}, longest).passes.size(), kMaxTimedPasses);
 }
 
 // Each kind of light has its own half.

@@ -117,8 +117,40 @@ TEST(Gi, CheckerboardBlursByAPixelAndNoMore) {
     expectAgreement(world, referenceFromSeeds(truth), {named("checkerboard", [](auto& gi) { gi.checkerboard = true; })}, 64);
 }
 
-// Half of the pixels take half of the rays, and in turns, whatever direct light does.
-TEST(Gi, CheckerboardTakesTurns) {
+// The share of the pixels with odd or even x + y that are the mean of those around, but for what rounding leaves.
+double filledShare(const samples::FloatImage& image, uint32_t odd) {
+    double filled = 0, all = 0;
+    // Of the largest channel, which all are rounded by.
+    const auto at = [&](uint32_t x, uint32_t y) { return image.rgb[3 * (size_t{y} * image.width + x)]; };
+    for (uint32_t y = 1; y + 1 < image.height; ++y)
+        for (uint32_t x = 1; x + 1 < image.width; ++x) {
+            if (((x + y) & 1) != odd) continue;
+            const float mean = (at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1)) / 4;
+            ++all;
+            if (std::abs(at(x, y) - mean) <= mean / 32) ++filled;
+        }
+    return filled / all;
+}
+
+TEST(Gi, CheckerboardLightsEitherHalfInTurn) {
+    samples::SceneData data = room({.color = kAlbedo, .roughness = 1, .specular = 0});
+    const samples::View view = data.views[0];
+    const samples::GpuScene scene(device(), std::move(data));
+    HostView host(scene, view, {.maxExtent = kExtent, .indirect = true});
+    restir::Settings settings = indirect();
+    settings.di.mode = restir::DirectMode::Off;
+    settings.gi.checkerboard = true;
+    settings.gi.maxHistory = 0;   // noise, which tells who is lit
+    settings.gi.spatialPasses = 0;
+    for (uint32_t i = 0; i < 4; ++i) {
+        const samples::FloatImage image = host.frame(host.input(i), settings);
+        EXPECT_GT(filledShare(image, i % 2), 0.6) << i;   // all but those at an edge
+        EXPECT_LT(filledShare(image, 1 - i % 2), 0.3) << i;
+    }
+}
+
+// Half of the pixels take half of the rays, whatever direct light does.
+TEST(Gi, CheckerboardTakesHalfOfTheRays) {
     samples::SceneData data = room({.color = kAlbedo, .roughness = 1, .specular = 0});
     const samples::View view = data.views[0];
     const samples::GpuScene scene(device(), std::move(data));
@@ -141,6 +173,48 @@ TEST(Gi, CheckerboardTakesTurns) {
     EXPECT_NEAR(rays(4, false, false), whole, whole / 10);   // with only half a history
     const double both = sequence(true, false);
     EXPECT_NEAR(sequence(true, true), both - whole / 2, whole / 20);
+}
+
+// A room of small lamps close to its walls: what few paths find stays in the history. Less error, for darkness of known size.
+TEST(Gi, BoilingFilterTradesErrorForDarkness) {
+    samples::SceneData scene;
+    addRoom(scene, {.color = kAlbedo, .roughness = 1, .specular = 0}, {-2, 0, -2}, {2, 3, 2});
+    Rng rng(5);
+    for (uint32_t i = 0; i < 60; ++i)
+        scene.punctual.push_back({.position = {rng.range(-1.9f, 1.9f), rng.range(2.7f, 2.9f), rng.range(-1.9f, 1.9f)},
+                                  .intensity = glm::vec3(rng.range(0.02f, 0.1f))});
+    scene.views.push_back({.eye = {0, 1.3f, 1.2f}, .target = {0, 0, 0.2f}, .verticalFov = 0.9f});
+    World world(std::move(scene), kExtent);
+    const samples::Sequence many{.view = world.view(), .frames = 4, .accumulate = true};
+    const SeedStatistics reference = world.referenceSeeds(48, many, {.paths = 20, .bounces = 2});
+    const ReferenceBlocks truth = referenceFromSeeds(reference);
+    const auto against = [&](float strength, double& error) {
+        restir::Settings settings = indirect();
+        settings.gi.bounces = 2;
+        settings.gi.lightCandidates = 1;
+        settings.gi.treeShare = 0;
+        settings.gi.boilingFilter = strength;
+        SeedStatistics statistics;
+        samples::Sequence sequence{.view = world.view(), .frames = kFrames};
+        error = 0;
+        for (sequence.seed = 1; sequence.seed <= 48; ++sequence.seed) {
+            const samples::FloatImage image = world.render(sequence, settings);
+            statistics.add(image);
+            for (float v : image.rgb) error += double(v) * double(v);   // their means are the same, but for the bias
+        }
+        const Agreement agreement = compare(statistics, truth);
+        print(("gi, boiling filter " + std::to_string(strength)).c_str(), agreement);
+        std::printf("    mean square %.4f\n", error / 48 / double(kExtent.width * kExtent.height));
+        return agreement;
+    };
+    double squaresOff = 0, squares = 0;
+    const Agreement off = against(0, squaresOff), filtered = against(0.5f, squares);
+    EXPECT_LE(off.worstZ, studentBound(off.blocks, 48));
+    EXPECT_LT(squares, 0.9 * squaresOff);
+    for (size_t c = 0; c < 3; ++c) {   // of direct and indirect light together
+        EXPECT_LT(filtered.channelRatio[c], -6 * filtered.channelError[c]);
+        EXPECT_GT(filtered.channelRatio[c], -0.15);
+    }
 }
 
 // Where everything shines 1 and reflects a, n scatterings leave 1 + a + ... + a^n.

@@ -303,6 +303,7 @@ TEST_F(IndirectLobes, PutTogetherTheyAreTheRadiance) {
 TEST_F(IndirectLobes, DirectLightIsTheSameWithThem) {
     settings.di.mode = restir::DirectMode::Restir;
     settings.gi.mode = restir::IndirectMode::Restir;
+    settings.gi.checkerboard = true;
     render();
     const samples::FloatImage with = image;
     host.newSession();

@@ -262,13 +262,17 @@ TEST_F(SessionTest, CutsTakeMoreSamples) {
     EXPECT_EQ(frames(0, 1).rgb, still.rgb);
 }
 
-// A session that declares kPresetPartners takes any preset in any frame.
+// A session that declares kPresetPartners and indirect light takes any preset in any frame.
 TEST_F(SessionTest, PresetsFollowOneAnother) {
+    host = std::make_unique<HostView>(
+        *scene, view,
+        HostDesc{.maxExtent = kExtent, .pairedNeighbours = restir::kPresetPartners, .indirect = true});
     settings.counters = true;
     uint32_t frame = 0;
     for (auto preset : {restir::Preset::Fast, restir::Preset::Balanced, restir::Preset::Quality,
                         restir::Preset::Unbiased, restir::Preset::Fast}) {
         settings.di = restir::presetSettings(preset);
+        settings.gi = restir::presetIndirect(preset);
         for (uint32_t end = frame + 2; frame < end; ++frame) {
             EXPECT_GT(largest(frames(frame, 1)), 0);
             EXPECT_EQ(host->session().counters(frame % HostView::kSlots).rejectedWeights, 0u);

@@ -82,7 +82,8 @@ TEST(SettingOptions, PresetsAreWhatToStartFrom) {
                                                       {"unbiased", Preset::Unbiased}};
     std::set<std::string> texts;
     for (const auto& [name, preset] : presets) {
-        const Settings settings{.di = restir::presetSettings(preset)};
+        Settings settings;
+        samples::applyPreset(settings, preset);
         const std::string text = settingsText(settings);
         EXPECT_TRUE(texts.insert(text).second) << name << " is like another";
         EXPECT_EQ(settingsText(parseSettings(std::string("preset=") + name)), text);

@@ -64,11 +64,11 @@ RsTreeNode rsJoin(RsTreeNode a, RsTreeNode b) {
 // Of s, by measurement: among lights in a plane, in heaps and all over a room 1 is up to 1.7 times as noisy.
 #define RS_TREE_SPREAD 0.25
 
-// `normal`: of the receiver's plane, unit. Not a number, infinite or negative: never.
+// `normal`: of the receiver's plane, unit; 0: it has none. Not a number, infinite or negative: never.
 float rsTreeImportance(RsTreeNode node, vec3 receiver, vec3 normal) {
     vec3 to = node.mean - receiver;
     float inverse = inversesqrt(max(dot(to, to) + RS_TREE_SPREAD * node.radius * node.radius, 1e-12));   // 1/m
-    float facing = clamp((dot(normal, to) + node.radius) * inverse, RS_TREE_BEHIND, 1.0);
+    float facing = normal == vec3(0.0) ? 1.0 : clamp((dot(normal, to) + node.radius) * inverse, RS_TREE_BEHIND, 1.0);
     float importance = node.power * facing * inverse * inverse;
     return importance > 0.0 && importance < 3e38 ? importance : 0.0;
 }

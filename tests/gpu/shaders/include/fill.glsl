@@ -89,6 +89,7 @@ FILL fillFrame(RS_INOUT(RsFrame) s, int b) {
     fillDi(s.gi, b + 246);
     s.giBounces = U(b + 266);
     s.giStale = F(b + 267);
+    s.giScratch = U(b + 270);
     s.bvhRoot = U(b + 268);
     s.bvhPreviousRoot = U(b + 269);
 }

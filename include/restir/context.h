@@ -22,10 +22,17 @@ struct ShaderPack {
     RayBackend rays = RayBackend::RayQuery;   // what its passes trace with
 };
 
+// When the pipelines of the passes are made, of which a host's settings and light tables need half or less.
+enum class PipelineCreation : uint8_t {
+    All,        // by Context::create()
+    OnDemand,   // by LightTable::create(), by Session::makePipelines(), else by Session::record() and prepare()
+};
+
 struct ContextDesc {
     DeviceInfo device;
     RayBackend rays = RayBackend::RayQuery;   // as `shaders`
-    const ShaderPack* shaders = nullptr;   // null: the embedded pack of `rays`; only read during create()
+    const ShaderPack* shaders = nullptr;   // null: the embedded pack of `rays`; with OnDemand its `modules` outlive the Context
+    PipelineCreation pipelines = PipelineCreation::All;
     uint32_t framesInFlight = 2;           // [1, 16], one value for every object made from this
     uint32_t queueFamily = 0;              // where all of it is submitted; decides whether timestamps exist
     uint32_t maxTextures = 1024;           // of the standard scene set
@@ -34,8 +41,8 @@ struct ContextDesc {
     VkDescriptorSetLayout bridgeSetLayout = VK_NULL_HANDLE;
 };
 
-// Pipelines and layouts: everything that depends on the device and not on a view. Immutable once made, so any
-// number of threads may make other objects from one Context.
+// Pipelines and layouts: everything that depends on the device and not on a view. Any number of threads may make other
+// objects from one Context, and use those.
 class Context {
 public:
     static Result<Context> create(const ContextDesc& desc) noexcept;

@@ -111,6 +111,10 @@ public:
     // The passes such a record() would dispatch. Does not advance history. The list lives until the next call.
     Result<std::span<const PassInfo>> plan(const FrameInput& frame, const Settings& settings) noexcept;
 
+    // With PipelineCreation::OnDemand: makes the pipelines of such frames, after a cut or with history, so that none has to. Of
+    // `frame` only extent and output are read: it may run (and compile, for seconds) beside the thread that uses the Session.
+    [[nodiscard]] Status makePipelines(const FrameInput& frame, const Settings& settings) noexcept;
+
     // Instead of record(), for hosts with a render graph: everything of it but the commands, then each pass of the list by
     // recordPass() once, in any order and between any work of the host's that keeps their uses() apart as they are in the
     // list. Where a pass reads what an earlier one wrote, or writes what it used, the host puts a barrier from passScope()

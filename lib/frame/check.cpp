@@ -187,24 +187,12 @@ Status checkObjects(const Session::Impl& s, const FrameInput& frame) noexcept {
 
 }   // namespace
 
-Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+Status checkSettings(const Session::Impl& s, VkExtent2D e, const Settings& settings) noexcept {
     const MessageSink& sink = s.device().sink();
-    const VkExtent2D max = s.desc.maxExtent, e = frame.extent;
-    if (frame.frameSlot >= s.context->framesInFlight)
-        return refuse(sink, "restir: FrameInput::frameSlot is %u, framesInFlight is %u", frame.frameSlot,
-                      s.context->framesInFlight);
+    const VkExtent2D max = s.desc.maxExtent;
     if (e.width == 0 || e.height == 0 || e.width > max.width || e.height > max.height)
         return refuse(sink, "restir: FrameInput::extent is %u x %u, maxExtent %u x %u", e.width, e.height,
                       max.width, max.height);
-    if (!frame.lights) return refuse(sink, "restir: FrameInput::lights is null");
-    if (Status status = checkStructure(s, frame); status != Status::Ok) return status;
-    if (Status status = checkObjects(s, frame); status != Status::Ok) return status;
-    if (!std::isfinite(frame.exposure) || frame.exposure < 0)
-        return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
-    if (Status status = checkImages(sink, frame, settings, s.context->ownsSceneLayout); status != Status::Ok)
-        return status;
-    if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
-    if (Status status = checkDebug(sink, frame, settings); status != Status::Ok) return status;
     if (Status status = checkSettings(sink, settings.di); status != Status::Ok) return status;
     if (Status status = checkSettings(sink, settings.gi, s.desc); status != Status::Ok) return status;
     if (settings.di.pairedNeighbours && settings.di.neighbours > s.desc.pairedNeighbours)
@@ -213,6 +201,23 @@ Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Setting
             "restir: DiSettings::pairedNeighbours with %u neighbours, SessionDesc::pairedNeighbours is %u",
             settings.di.neighbours, s.desc.pairedNeighbours);
     return Status::Ok;
+}
+
+Status checkFrame(const Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+    const MessageSink& sink = s.device().sink();
+    if (frame.frameSlot >= s.context->framesInFlight)
+        return refuse(sink, "restir: FrameInput::frameSlot is %u, framesInFlight is %u", frame.frameSlot,
+                      s.context->framesInFlight);
+    if (Status status = checkSettings(s, frame.extent, settings); status != Status::Ok) return status;
+    if (!frame.lights) return refuse(sink, "restir: FrameInput::lights is null");
+    if (Status status = checkStructure(s, frame); status != Status::Ok) return status;
+    if (Status status = checkObjects(s, frame); status != Status::Ok) return status;
+    if (!std::isfinite(frame.exposure) || frame.exposure < 0)
+        return refuse(sink, "restir: FrameInput::exposure is %g", double(frame.exposure));
+    if (Status status = checkImages(sink, frame, settings, s.context->ownsSceneLayout); status != Status::Ok)
+        return status;
+    if (Status status = checkCamera(sink, frame.camera); status != Status::Ok) return status;
+    return checkDebug(sink, frame, settings);
 }
 
 namespace {

@@ -9,59 +9,12 @@
 namespace restir {
 namespace {
 
-const ShaderPack::Module* findModule(const ShaderPack& pack, const char* pass) noexcept {
-    for (const ShaderPack::Module& module : pack.modules)
-        if (!std::strcmp(module.pass, pass)) return &module;
-    return nullptr;
-}
-
-bool isOf(const char* room, const char* pass) noexcept { return !std::strncmp(pass, room, std::strlen(room)); }
-
-VkResult makePipeline(const Context::Impl& c, const ShaderPack::Module& module, VkPipeline& pipeline) noexcept {
-    const Functions& f = c.device.functions;
-    const VkDevice device = c.device.info.device;
-    const VkShaderModuleCreateInfo moduleInfo{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                              .codeSize = module.wordCount * sizeof(uint32_t),
-                                              .pCode = module.words};
-    VkShaderModule shader = VK_NULL_HANDLE;
-    if (VkResult vk = f.vkCreateShaderModule(device, &moduleInfo, c.device.allocator(), &shader); vk != VK_SUCCESS)
-        return vk;
-    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                           .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                                     .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                                                     .module = shader,
-                                                     .pName = "main"},
-                                           .layout = isOf("lights.", module.pass) ? c.tablePipelineLayout : c.pipelineLayout};
-    const VkResult vk =
-        f.vkCreateComputePipelines(device, c.device.info.pipelineCache, 1, &info, c.device.allocator(), &pipeline);
-    f.vkDestroyShaderModule(device, shader, c.device.allocator());
-    return vk;
-}
-
 const ShaderPack& embeddedPack(RayBackend rays) noexcept {
     if (rays == RayBackend::Pipeline) return kEmbeddedPipelinePack;
     return rays == RayBackend::Software ? kEmbeddedSoftwarePack : kEmbeddedQueryPack;
 }
 
-Error lacking(const MessageSink& sink, const char* pass) noexcept {
-    report(sink, Severity::Error, "restir: ContextDesc::shaders lacks the pass %s", pass);
-    return {Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders lacks a pass"};
-}
-
-Result<bool> makeBindingTable(Context::Impl& c) noexcept {
-    std::vector<VkPipeline> traced;
-    for (Context::Impl::Pipeline& entry : c.pipelines) {
-        if (entry.traced < 0) continue;
-        entry.traced = int(traced.size());
-        traced.push_back(entry.pipeline);
-    }
-    auto table = BindingTable::create(c.device, traced);
-    if (!table) return table.error();
-    c.bindingTable = std::move(*table);
-    return true;
-}
-
-Result<bool> makePipelines(Context::Impl& c, const ShaderPack& pack) noexcept {
+Result<bool> makePipelines(Context::Impl& c, const ShaderPack& pack, PipelineCreation when) noexcept {
     const MessageSink& sink = c.device.sink();
     if (pack.shaderAbi != RESTIR_SHADER_ABI) {
         report(sink, Severity::Error, "restir: ContextDesc::shaders has ABI %u, this library %d", pack.shaderAbi,
@@ -73,25 +26,7 @@ Result<bool> makePipelines(Context::Impl& c, const ShaderPack& pack) noexcept {
                int(pack.rays), int(c.rays));
         return Error{Status::ShaderMismatch, VK_SUCCESS, "ContextDesc::shaders was built for another ray backend"};
     }
-    const bool stages = c.rays == RayBackend::Pipeline;
-    RayStages ray;
-    for (auto [name, module] : {std::pair("rays.miss", &ray.miss), std::pair("rays.closest_hit", &ray.closestHit),
-                                std::pair("rays.any_hit", &ray.anyHit)})
-        if (*module = findModule(pack, name); stages && !*module) return lacking(sink, name);
-    for (Context::Impl::Pipeline& entry : c.pipelines) {
-        const ShaderPack::Module* module = findModule(pack, entry.pass);
-        if (!module) return lacking(sink, entry.pass);
-        if (stages && module->traces) entry.traced = 0;
-        const VkResult vk = entry.traced < 0
-                                ? makePipeline(c, *module, entry.pipeline)
-                                : makeRayPipeline(c.device, c.pipelineLayout, *module, ray, entry.pipeline);
-        if (vk != VK_SUCCESS) {
-            report(sink, Severity::Error, "restir: creating the pipeline of %s failed", entry.pass);
-            return failure(sink, Status::DeviceError, "creating a pipeline failed", vk);
-        }
-        c.device.name(VK_OBJECT_TYPE_PIPELINE, handleValue(entry.pipeline), entry.pass);
-    }
-    return stages ? makeBindingTable(c) : true;
+    return c.pipelines.create(c.device, {c.pipelineLayout, c.tablePipelineLayout}, pack, when);
 }
 
 Status checkDesc(const ContextDesc& desc) noexcept {
@@ -104,6 +39,8 @@ Status checkDesc(const ContextDesc& desc) noexcept {
         return refuse(sink, "restir: DeviceInfo::memory needs both acquire and release, or neither");
     if (desc.framesInFlight < 1 || desc.framesInFlight > 16)
         return refuse(sink, "restir: ContextDesc::framesInFlight is %u, must be in [1, 16]", desc.framesInFlight);
+    if (desc.pipelines > PipelineCreation::OnDemand)
+        return refuse(sink, "restir: ContextDesc::pipelines is %d", int(desc.pipelines));
     if (desc.rays > RayBackend::Own) return refuse(sink, "restir: ContextDesc::rays is %d", int(desc.rays));
     if (desc.rays == RayBackend::Own && !desc.shaders)
         return refuse(sink, "restir: ContextDesc::shaders is null, RayBackend::Own needs one");
@@ -179,19 +116,14 @@ Result<Context> Context::create(const ContextDesc& desc) noexcept {
         return Error{s, VK_SUCCESS, "the device cannot be used"};
     if (Status s = checkLimits(*impl, desc); s != Status::Ok) return Error{s, VK_SUCCESS, "the device's limits are too low"};
     if (auto made = makeLayouts(*impl, desc.bridgeSetLayout); !made) return made.error();
-    if (auto made = makePipelines(*impl, desc.shaders ? *desc.shaders : embeddedPack(desc.rays)); !made) return made.error();
+    const ShaderPack& pack = desc.shaders ? *desc.shaders : embeddedPack(desc.rays);
+    if (auto made = makePipelines(*impl, pack, desc.pipelines); !made) return made.error();
     return Context(std::move(impl));
-}
-
-const Context::Impl::Pipeline& Context::Impl::pipelineOf(const char* pass) const noexcept {
-    return *std::find_if(pipelines.begin(), pipelines.end(), [&](const Pipeline& entry) { return !std::strcmp(entry.pass, pass); });
 }
 
 Context::Impl::~Impl() {
     const Functions& f = device.functions;
     const VkDevice vk = device.info.device;
-    for (const Pipeline& entry : pipelines)
-        if (entry.pipeline) f.vkDestroyPipeline(vk, entry.pipeline, device.allocator());
     if (pipelineLayout) f.vkDestroyPipelineLayout(vk, pipelineLayout, device.allocator());
     if (tablePipelineLayout) f.vkDestroyPipelineLayout(vk, tablePipelineLayout, device.allocator());
     if (tableLayout) f.vkDestroyDescriptorSetLayout(vk, tableLayout, device.allocator());

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
 #include <atomic>
 
 #include <device/device.h>
-#include <rays/pipelines.h>
+#include <frame/pass_pipelines.h>
 #include <restir/context.h>
 #include <restir/shared/frame.h>
 
@@ -24,51 +23,8 @@ struct Context::Impl {
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE;   // set 0 of LightTable's passes
     VkPipelineLayout tablePipelineLayout = VK_NULL_HANDLE;
 
-    struct Pipeline {
-        const char* pass = "";
-        VkPipeline pipeline = VK_NULL_HANDLE;
-        int traced = -1;   // in `bindingTable`; < 0: a compute pipeline
-    };
-    std::array<Pipeline, 36> pipelines{{{"surface.pack"},
-                                       {"di.candidates"},
-                                       {"di.temporal"},
-                                       {"di.spatiotemporal"},
-                                       {"di.boiling"},
-                                       {"di.spatial"},
-                                       {"di.pair_targets"},
-                                       {"di.pair_spatial"},
-                                       {"di.shade"},
-                                       {"di.fill"},
-                                       {"di.gradient"},
-                                       {"di.debug"},
-                                       {"di.next_event"},
-                                       {"di.off"},
-                                       {"gi.candidates"},
-                                       {"gi.temporal"},
-                                       {"gi.boiling"},
-                                       {"gi.spatial"},
-                                       {"gi.shade"},
-                                       {"gi.fill"},
-                                       {"lights.means"},
-                                       {"lights.meshes"},
-                                       {"lights.extent"},
-                                       {"lights.power"},
-                                       {"lights.sum"},
-                                       {"lights.scale"},
-                                       {"lights.reduce"},
-                                       {"lights.prefix"},
-                                       {"lights.scan"},
-                                       {"lights.alias"},
-                                       {"lights.keys"},
-                                       {"lights.count"},
-                                       {"lights.offsets"},
-                                       {"lights.sort"},
-                                       {"lights.split"},
-                                       {"lights.nodes"}}};
+    PassPipelines pipelines;
 
-    BindingTable bindingTable;   // RayBackend::Pipeline
-
-    const Pipeline& pipelineOf(const char* pass) const noexcept;
     ~Impl();
 };
 

@@ -66,7 +66,7 @@ public:
 
     void pass(const PassInfo& pass) noexcept {
         const Label label(f_, cmd_, pass.name);
-        const Context::Impl::Pipeline& entry = s_.context->pipelineOf(pass.name);
+        const PassPipelines::Entry& entry = s_.context->pipelines.of(pass.name);
         const bool traced = entry.traced >= 0;
         const VkPipelineStageFlags2 stage =
             traced ? VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
@@ -76,7 +76,7 @@ public:
         const gpu::RsPass constants{.source = pass.source, .target = pass.target, .index = pass.index, .shades = pass.shades ? 1u : 0u};
         f_.vkCmdPushConstants(cmd_, s_.context->pipelineLayout, shaderStages(s_.context->rays), 0, sizeof constants, &constants);
         if (traced)
-            s_.context->bindingTable.trace(s_.device(), cmd_, uint32_t(entry.traced), 8 * pass.groups[0], 8 * pass.groups[1]);
+            s_.context->pipelines.trace(cmd_, entry, 8 * pass.groups[0], 8 * pass.groups[1]);
         else
             f_.vkCmdDispatch(cmd_, pass.groups[0], pass.groups[1], pass.groups[2]);
         s_.stopwatch.stop(cmd_, slot_, stage);
@@ -105,8 +105,9 @@ void recordPasses(Session::Impl& s, VkCommandBuffer cmd, bool counters) noexcept
 }
 
 // All of a frame but its commands: plan, constants, descriptors, and the history that it leaves.
-Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
-    if (auto planned = session.plan(frame, settings); !planned) return planned.error().status;
+Result<bool> prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame, const Settings& settings) noexcept {
+    if (auto planned = session.plan(frame, settings); !planned) return planned.error();
+    if (auto made = requirePasses(*s.context, s.plan); !made) return made;
     const LightTable::Impl& lights = Internals::of(*frame.lights);
     const bool history = historyUsable(s, frame, settings), giHistory = giHistoryUsable(s, frame, settings);
     const uint32_t surfaces = 1 - s.history.surfaces;
@@ -136,7 +137,7 @@ Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame,
                  .giField = constants.gi.field,
                  .visibility = settings.di.visibility,
                  .giVisibility = settings.gi.visibility};
-    return Status::Ok;
+    return true;
 }
 
 }   // namespace
@@ -144,7 +145,7 @@ Status prepareFrame(Session& session, Session::Impl& s, const FrameInput& frame,
 Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Settings& settings) noexcept {
     Impl& s = *impl_;
     if (!cmd) return refuse(s.device().sink(), "restir: Session::record: cmd is null");
-    if (Status status = prepareFrame(*this, s, frame, settings); status != Status::Ok) return status;
+    if (auto prepared = prepareFrame(*this, s, frame, settings); !prepared) return prepared.error().status;
     recordPasses(s, cmd, settings.counters);
     s.preparedScene = VK_NULL_HANDLE;   // recordPass() is for prepare()
     return Status::Ok;
@@ -152,10 +153,10 @@ Status Session::record(VkCommandBuffer cmd, const FrameInput& frame, const Setti
 
 Result<std::span<const PassInfo>> Session::prepare(const FrameInput& frame, const Settings& settings) noexcept {
     Impl& s = *impl_;
-    Status status = Status::Ok;
-    if (settings.counters) status = refuse(s.device().sink(), "restir: Settings::counters needs Session::record");
-    if (status == Status::Ok) status = prepareFrame(*this, s, frame, settings);
-    if (status != Status::Ok) return Error{status, VK_SUCCESS, "FrameInput or Settings is invalid"};
+    if (settings.counters)
+        return Error{refuse(s.device().sink(), "restir: Settings::counters needs Session::record"), VK_SUCCESS,
+                     "FrameInput or Settings is invalid"};
+    if (auto prepared = prepareFrame(*this, s, frame, settings); !prepared) return prepared.error();
     return std::span<const PassInfo>(s.plan.passes);
 }
 

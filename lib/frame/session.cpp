@@ -143,20 +143,45 @@ VkDeviceSize Session::memoryNeeded(const Context& context, const SessionDesc& de
     return Buffers::memoryNeeded(c.device, sessionRequests(c, desc));
 }
 
+namespace {
+
+PlanInput withoutHistory(const FrameInput& frame) noexcept {
+    return {.extent = frame.extent,
+            .gradient = frame.output.gradient != VK_NULL_HANDLE,
+            .indirectLobes = frame.output.indirectDiffuse || frame.output.indirectSpecular};
+}
+
+}   // namespace
+
 Result<std::span<const PassInfo>> Session::plan(const FrameInput& frame, const Settings& settings) noexcept {
     Impl& s = *impl_;
     if (Status status = checkFrame(s, frame, settings); status != Status::Ok)
         return Error{status, VK_SUCCESS, "FrameInput or Settings is invalid"};
     s.preparedScene = VK_NULL_HANDLE;   // its list is gone
-    s.plan = makePlan({.extent = frame.extent,
-                       .history = historyUsable(s, frame, settings),
-                       .historyIn = s.history.reservoirs,
-                       .gradient = frame.output.gradient != VK_NULL_HANDLE,
-                       .giHistory = giHistoryUsable(s, frame, settings),
-                       .giHistoryIn = s.history.giReservoirs,
-                       .indirectLobes = frame.output.indirectDiffuse || frame.output.indirectSpecular},
-                      settings);
+    PlanInput input = withoutHistory(frame);
+    input.history = historyUsable(s, frame, settings);
+    input.historyIn = s.history.reservoirs;
+    input.giHistory = giHistoryUsable(s, frame, settings);
+    input.giHistoryIn = s.history.giReservoirs;
+    s.plan = makePlan(input, settings);
     return std::span<const PassInfo>(s.plan.passes);
+}
+
+Result<bool> requirePasses(const Context::Impl& context, const Plan& plan) noexcept {
+    for (const PassInfo& pass : plan.passes)
+        if (auto made = context.pipelines.require(pass.name); !made) return made;
+    return true;
+}
+
+Status Session::makePipelines(const FrameInput& frame, const Settings& settings) noexcept {
+    const Impl& s = *impl_;
+    if (Status status = checkSettings(s, frame.extent, settings); status != Status::Ok) return status;
+    PlanInput input = withoutHistory(frame);
+    for (bool history : {false, true}) {
+        input.history = input.giHistory = history;
+        if (auto made = requirePasses(*s.context, makePlan(input, settings)); !made) return made.error().status;
+    }
+    return Status::Ok;
 }
 
 std::span<const PassTiming> Session::timings(uint32_t frameSlot) noexcept {

@@ -71,6 +71,8 @@ inline constexpr uint32_t kMaxSpatialPasses = 8;
 inline constexpr uint32_t kMaxNeighbours = 16;
 inline constexpr uint32_t kMaxTimedPasses = 13 + 3 * kMaxSpatialPasses;   // of the longest plan
 
+Result<bool> requirePasses(const Context::Impl& context, const Plan& plan) noexcept;   // their pipelines
+
 std::vector<BufferRequest> sessionRequests(const Context::Impl& context, const SessionDesc& desc);
 
 }   // namespace restir

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <vector>
 
 #include <device/barrier.h>
 #include <device/label.h>
@@ -79,11 +80,22 @@ VkResult makeBuildSets(LightTable::Impl& t) noexcept {
     return VK_SUCCESS;
 }
 
+Result<bool> requireBuildPasses(const LightTable::Impl& t) noexcept {
+    std::vector<const char*> passes = {"lights.extent", "lights.power",  "lights.sum",  "lights.scale",
+                                       "lights.reduce", "lights.prefix", "lights.scan", "lights.alias"};
+    if (t.meshLights > 0) passes.insert(passes.end(), {"lights.means", "lights.meshes"});
+    if (t.hasTree)
+        passes.insert(passes.end(), {"lights.keys", "lights.count", "lights.offsets", "lights.sort", "lights.split", "lights.nodes"});
+    for (const char* pass : passes)
+        if (auto made = t.context->pipelines.require(pass); !made) return made;
+    return true;
+}
+
 void dispatchOfBuild(const LightTable::Impl& t, VkCommandBuffer cmd, const char* name, uint32_t groups,
                      uint32_t rows) noexcept {
     const Functions& f = t.device->functions;
     const Label label(f, cmd, name);
-    f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelineOf(name).pipeline);
+    f.vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, t.context->pipelines.of(name).pipeline);
     f.vkCmdDispatch(cmd, groups, rows, 1);
     memoryBarrier(f, cmd, {kCompute, kWrite}, {t.device->passStages, kRead | kWrite});
 }

@@ -12,6 +12,9 @@ VkDeviceSize aliasBlocks(uint32_t lights) noexcept;
 // A set for each generation of lights.
 VkResult makeBuildSets(LightTable::Impl& table) noexcept;
 
+// The pipelines of whatever this table's builds will dispatch.
+Result<bool> requireBuildPasses(const LightTable::Impl& table) noexcept;
+
 // What a build finds new.
 struct BuildInput {
     VkDescriptorSet scene = VK_NULL_HANDLE;   // where meshes are; null: there are none

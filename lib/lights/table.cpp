@@ -147,6 +147,7 @@ Result<LightTable> LightTable::create(const Context& context, const LightTableDe
     auto environment = EnvironmentTable::create(c.device, desc.maxEnvironmentTexels);
     if (!environment) return environment.error();
     impl->environment = std::move(*environment);
+    if (auto made = requireBuildPasses(*impl); !made) return made.error();
     if (VkResult vk = makeBuildSets(*impl); vk != VK_SUCCESS)
         return failure(c.device.sink(), Status::DeviceError, "allocating the light table's descriptor sets failed", vk);
     if (VkResult vk = impl->stopwatch.create(c.device, c.framesInFlight, kMaxTimedPasses); vk != VK_SUCCESS)

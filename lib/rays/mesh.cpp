@@ -8,7 +8,6 @@
 namespace restir {
 namespace {
 
-constexpr float kLargest = 1e18f;   // products of two coordinates stay finite
 constexpr uint64_t kMaxTriangles = RS_BVH_INDEX;
 
 struct Triangle {
@@ -51,7 +50,7 @@ bool canBeHit(const BvhGeometry& geometry, uint32_t primitive) noexcept {
     for (uint32_t i = 0; i < 3; ++i) {
         p[i] = cornerOf(geometry, primitive, i);
         for (int axis = 0; axis < 3; ++axis)
-            if (!(std::abs(p[i][axis]) <= kLargest)) return false;
+            if (!(std::abs(p[i][axis]) <= kLargestCoordinate)) return false;
     }
     double a[3], b[3];
     for (int axis = 0; axis < 3; ++axis) {

@@ -8,13 +8,6 @@ namespace {
 // Shader groups.
 constexpr uint32_t kRaygen = 0, kMiss = 1, kHit = 2, kGroups = 3;
 
-VkResult makeModule(const Device& device, const ShaderPack::Module& module, VkShaderModule& shader) noexcept {
-    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                        .codeSize = module.wordCount * sizeof(uint32_t),
-                                        .pCode = module.words};
-    return orNull(device.functions.vkCreateShaderModule(device.info.device, &info, device.allocator(), &shader), shader);
-}
-
 VkRayTracingShaderGroupCreateInfoKHR groupOf(VkRayTracingShaderGroupTypeKHR type, uint32_t general, uint32_t closest,
                                              uint32_t any) noexcept {
     return {.sType = VK_STRUCTURE_TYPE_RAY_TRACING_SHADER_GROUP_CREATE_INFO_KHR,
@@ -64,6 +57,13 @@ constexpr VkDeviceSize roundUp(VkDeviceSize value, VkDeviceSize unit) noexcept {
 
 }   // namespace
 
+VkResult makeModule(const Device& device, const ShaderPack::Module& module, VkShaderModule& shader) noexcept {
+    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                        .codeSize = module.wordCount * sizeof(uint32_t),
+                                        .pCode = module.words};
+    return orNull(device.functions.vkCreateShaderModule(device.info.device, &info, device.allocator(), &shader), shader);
+}
+
 VkResult makeRayPipeline(const Device& device, VkPipelineLayout layout, const ShaderPack::Module& pass, const RayStages& stages,
                          VkPipeline& pipeline) noexcept {
     const ShaderPack::Module* modules[] = {&pass, stages.miss, stages.closestHit, stages.anyHit};
@@ -76,14 +76,14 @@ VkResult makeRayPipeline(const Device& device, VkPipelineLayout layout, const Sh
     return vk;
 }
 
-Result<BindingTable> BindingTable::create(const Device& device, std::span<const VkPipeline> pipelines) noexcept {
+Result<BindingTable> BindingTable::create(const Device& device, uint32_t pipelines) noexcept {
     const auto limits = propertiesOf(device);
     BindingTable table;
     // Each record is a table of its own stage, and starts where one may.
     const VkDeviceSize unit = limits.shaderGroupBaseAlignment;
     table.stride_ = roundUp(limits.shaderGroupHandleSize, unit);
     const BufferRequest request{
-        .size = kGroups * pipelines.size() * table.stride_ + unit,
+        .size = VkDeviceSize{kGroups} * pipelines * table.stride_ + unit,
         .usage = VK_BUFFER_USAGE_SHADER_BINDING_TABLE_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
         .use = MemoryUse::HostWrite,
         .name = "shader binding table"};
@@ -96,14 +96,17 @@ Result<BindingTable> BindingTable::create(const Device& device, std::span<const 
     if (start == 0)
         return failure(device.sink(), Status::InvalidArgument, "the shader binding table's memory has no device address", VK_SUCCESS);
     table.address_ = roundUp(start, unit);
-    auto* record = table.buffers_.mapped<uint8_t>(0) + (table.address_ - start);
-    for (VkPipeline pipeline : pipelines)
-        for (uint32_t group = 0; group < kGroups; ++group, record += table.stride_) {
-            const VkResult vk = device.functions.vkGetRayTracingShaderGroupHandlesKHR(
-                device.info.device, pipeline, group, 1, limits.shaderGroupHandleSize, record);
-            if (vk != VK_SUCCESS) return failure(device.sink(), Status::DeviceError, "reading a shader group's handle failed", vk);
-        }
+    table.records_ = table.buffers_.mapped<uint8_t>(0) + (table.address_ - start);
+    table.handleSize_ = limits.shaderGroupHandleSize;
     return table;
+}
+
+VkResult BindingTable::set(const Device& device, uint32_t index, VkPipeline pipeline) const noexcept {
+    VkResult vk = VK_SUCCESS;
+    for (uint32_t group = 0; group < kGroups && vk == VK_SUCCESS; ++group)
+        vk = device.functions.vkGetRayTracingShaderGroupHandlesKHR(device.info.device, pipeline, group, 1, handleSize_,
+                                                                   records_ + (VkDeviceSize{kGroups} * index + group) * stride_);
+    return vk;
 }
 
 void BindingTable::trace(const Device& device, VkCommandBuffer cmd, uint32_t pipeline, uint32_t width,

@@ -6,7 +6,6 @@
 namespace restir {
 namespace {
 
-constexpr double kLargest = 1e18;    // as of triangles
 constexpr double kRounding = 1e-6;   // of the box's coordinates: rays are followed in object space
 
 // The inverse of an affine transform, by cofactors.
@@ -25,7 +24,7 @@ bool invert(const float (&m)[3][4], gpu::vec4 (&inverse)[3]) noexcept {
                          cofactors[2][i] / determinant, 0};
         row[3] = -(row[0] * m[0][3] + row[1] * m[1][3] + row[2] * m[2][3]);
         for (double value : row)
-            if (!(std::abs(value) <= kLargest)) return false;
+            if (!(std::abs(value) <= kLargestCoordinate)) return false;
         inverse[i] = {float(row[0]), float(row[1]), float(row[2]), float(row[3])};
     }
     return true;
@@ -46,7 +45,7 @@ bool placeInstance(const BvhInstance& instance, const Box& mesh, gpu::RsBvhInsta
             high += std::max(a, b);
         }
         const double slack = kRounding * std::max(std::abs(low), std::abs(high));
-        if (!(high + slack <= kLargest && low - slack >= -kLargest)) return false;
+        if (!(high + slack <= kLargestCoordinate && low - slack >= -kLargestCoordinate)) return false;
         world.low[i] = float(low - slack);
         world.high[i] = float(high + slack);
     }

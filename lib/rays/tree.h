@@ -8,6 +8,8 @@
 
 namespace restir {
 
+constexpr float kLargestCoordinate = 1e18f;   // products of two stay finite
+
 struct Box {
     float low[3], high[3];   // low > high: empty
 

@@ -10,6 +10,7 @@ restir::Context makeContext(Device& device, const GpuScene& scene, const Lightin
     desc.device = device.sdkInfo();
     desc.rays = lighting.rays;
     desc.shaders = lighting.shaders;
+    if (!lighting.shaders) desc.pipelines = restir::PipelineCreation::OnDemand;   // those are the caller's, and may go
     desc.framesInFlight = FrameSlots::kCount;
     desc.queueFamily = device.queueFamily();
     desc.maxTextures = std::max(static_cast<uint32_t>(scene.textures().size()), 1u);

@@ -118,6 +118,7 @@ void Host::makeSdkObjects() {
     desc.shaders = rays_ == restir::RayBackend::Pipeline ? &kEmbeddedPipelinePack : &kEmbeddedQueryPack;
     desc.bridgeSetLayout = setLayout_;
     desc.rays = rays_;
+    desc.pipelines = restir::PipelineCreation::OnDemand;   // one kind of settings needs a few of them
     desc.framesInFlight = 1;
     desc.queueFamily = device_.queueFamily();
     context_ = made(device_, restir::Context::create(desc), "restir::Context");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include "common/setting_options.h"
 
@@ -103,7 +104,10 @@ restir::Status Picture::record(VkCommandBuffer cmd, const Shot& shot) {
     }
     if (images_->denoiser && (input.resetHistory || !denoises)) images_->denoiser->reset();
     if (shot.settings.debugView != restir::DebugView::None) input.output.debug = images_->debug.view();
-    const restir::Status status = session_->record(cmd, input, shot.settings);
+    const auto before = std::chrono::steady_clock::now();
+    restir::Status status = session_->makePipelines(input, shot.settings);
+    waited_ = std::chrono::steady_clock::now() - before > std::chrono::milliseconds(1);
+    if (status == restir::Status::Ok) status = session_->record(cmd, input, shot.settings);
     clock_.mark(cmd, nullptr);
     if (status == restir::Status::Ok) {
         images_->gbuffer.share(cmd, in);

@@ -36,6 +36,7 @@ public:
 
     // Refused: the SDK's message is Device::sdkError(), and the picture stays.
     restir::Status record(VkCommandBuffer cmd, const Shot& shot);
+    bool waited() const { return waited_; }   // the last record(), for pipelines to be made
 
     VkExtent2D extent() const { return extent_; }
     // Of the slot's last frame, which the GPU is done with: of the library's passes and of the host's,
@@ -69,6 +70,7 @@ private:
     restir::SessionDesc declared_;
     std::optional<restir::Session>
         session_;           // outlives changes of size up to the declared one, and keeps its history
+    bool waited_ = false;
     bool resting_ = true;   // the last frame left the scene as the one before had
 };
 

@@ -261,6 +261,7 @@ Shot Viewer::describe(uint32_t slot) {
 
 void Viewer::record(VkCommandBuffer cmd, uint32_t slot, uint32_t image) {
     const restir::Status status = picture_->record(cmd, describe(slot));
+    interrupted_ = interrupted_ || picture_->waited();
     state_.refusal = status == restir::Status::Ok ? "" : device_.sdkError();
     if (script_ && !state_.refusal.empty()) throw std::runtime_error(state_.refusal);
     enlarge(cmd, swapchain_.image(image));

@@ -44,7 +44,10 @@ void release(void*, const restir::BufferGrant& grant) {
 restir::Context& context() {
     static restir::Context context = [] {
         restir::ContextDesc desc{
-            .device = gpu().sdkInfo(), .framesInFlight = kSlots, .queueFamily = gpu().queueFamily()};
+            .device = gpu().sdkInfo(),
+            .pipelines = restir::PipelineCreation::OnDemand,
+            .framesInFlight = kSlots,
+            .queueFamily = gpu().queueFamily()};
         desc.device.memory = {.acquire = acquire, .release = release};
         return gpu().require(restir::Context::create(desc), "Context");
     }();

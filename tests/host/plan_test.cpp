@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <frame/context_impl.h>
+#include <frame/pass_pipelines.h>
 #include <frame/session_impl.h>
 
 #include "host/plans.h"
@@ -81,10 +81,10 @@ TEST(Plan, OrderOfIndirectStages) {
 
 // Else it would be recorded without one.
 TEST(Plan, EveryPassHasAPipeline) {
-    const Context::Impl context;
+    const PassPipelines pipelines;
     for (const Plan& plan : allPlans())
         for (const PassInfo& pass : plan.passes)
-            EXPECT_TRUE(std::any_of(context.pipelines.begin(), context.pipelines.end(), [&](const auto& pipeline) {
+            EXPECT_TRUE(std::any_of(pipelines.all().begin(), pipelines.all().end(), [&](const auto& pipeline) {
                 return std::string(pipeline.pass) == pass.name;
             })) << pass.name;
 }

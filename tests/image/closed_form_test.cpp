@@ -47,10 +47,7 @@ TEST(ClosedForm, RectangleOverPlane) {
     World world(lampOverPlane(), kExtent);
     const ReferenceBlocks truth = exactly(lampOverPlanePicture(world.view()));
 
-    std::vector<NamedSettings> all = unbiasedSettings();
-    std::erase_if(all, [](const NamedSettings& s) {   // all are in Occluded, where supports differ
-        return s.settings.di.fused && s.settings.di.weights != restir::Weights::Pairwise;
-    });
+    const std::vector<NamedSettings> all = settingsInTheOpen();
     Verdict verdict(all.size() + 1, kPictures);
     for (uint32_t i = 0; i < all.size(); ++i)
         verdict.add(all[i].name, compare(pictures(world, i, all[i].settings), truth));
@@ -81,8 +78,7 @@ TEST(ClosedForm, HalfBlackTexture) {
         return glm::dvec3(kRadiance) * lampIrradiance(bright, p);
     }));
 
-    std::vector<NamedSettings> all = unbiasedSettings();
-    std::erase_if(all, [](const NamedSettings& s) { return s.settings.di.weights != restir::Weights::Pairwise; });
+    const std::vector<NamedSettings> all = pairwiseInTheOpen();
     Verdict verdict(all.size() + 1, kPictures);
     for (uint32_t i = 0; i < all.size(); ++i)
         verdict.add("texture " + all[i].name, compare(pictures(world, 100 + i, all[i].settings), truth));

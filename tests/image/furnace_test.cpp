@@ -54,7 +54,7 @@ SeedStatistics pictures(World& world, uint32_t estimator, restir::Settings setti
 
 TEST(Furnace, WhiteDiffuseVanishes) {
     World world = furnace({.color = {1, 1, 1}, .roughness = 1, .specular = 0});
-    const std::vector<NamedSettings> all = unbiasedSettings();
+    const std::vector<NamedSettings> all = settingsInTheOpen();
     Verdict verdict(all.size(), kPictures);
     for (uint32_t i = 0; i < all.size(); ++i)
         verdict.add("furnace " + all[i].name, compare(pictures(world, i, all[i].settings), exactly(white())));
@@ -66,7 +66,7 @@ TEST(Furnace, RoughMetalLosesAsMuchAsTheReference) {
     World world = furnace({.color = {1, 1, 1}, .roughness = kRoughness, .metalness = 1});
     const samples::Sequence sequence{.view = world.view(), .frames = kFrames, .accumulate = true};
     const ReferenceBlocks truth = referenceFromSeeds(world.referenceSeeds(kPictures, sequence, {.paths = 24}));
-    const std::vector<NamedSettings> all = unbiasedSettings();
+    const std::vector<NamedSettings> all = pairwiseInTheOpen();
     Verdict verdict(all.size(), kPictures);
     for (uint32_t i = 0; i < all.size(); ++i) {
         const SeedStatistics metal = pictures(world, i, all[i].settings);

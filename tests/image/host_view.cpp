@@ -36,6 +36,7 @@ restir::ContextDesc HostView::contextDesc() {
     desc.framesInFlight = kSlots;
     desc.queueFamily = device().queueFamily();
     desc.maxTextures = 4;
+    desc.pipelines = restir::PipelineCreation::OnDemand;   // most tests need a few of them
     return desc;
 }
 

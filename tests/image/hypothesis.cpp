@@ -104,6 +104,23 @@ std::vector<NamedSettings> unbiasedSettings() {
     return all;
 }
 
+std::vector<NamedSettings> settingsInTheOpen() {
+    std::vector<NamedSettings> all = unbiasedSettings();
+    std::erase_if(all, [](const NamedSettings& s) {
+        return s.settings.di.visibility == restir::VisibilityReuse::None ||
+               (s.settings.di.fused && s.settings.di.weights != restir::Weights::Pairwise);
+    });
+    return all;
+}
+
+std::vector<NamedSettings> pairwiseInTheOpen() {
+    std::vector<NamedSettings> all = settingsInTheOpen();
+    std::erase_if(all, [](const NamedSettings& s) {
+        return s.settings.di.weights != restir::Weights::Pairwise && s.settings.di.bsdfCandidates == 0;
+    });
+    return all;
+}
+
 std::vector<NamedSettings> checkerboards() {
     std::vector<NamedSettings> all;
     restir::Settings half = nearAndShort();

@@ -36,6 +36,9 @@ struct NamedSettings {
 };
 // Every combination that claims to be unbiased, next-event estimation and plain RIS included.
 std::vector<NamedSettings> unbiasedSettings();
+// Those of them that differ where nothing is hidden and all supports are the same: ClosedForm's Occluded has the others.
+std::vector<NamedSettings> settingsInTheOpen();
+std::vector<NamedSettings> pairwiseInTheOpen();   // and one of each other kind of weights
 // Unbiased but for what they fill in.
 std::vector<NamedSettings> checkerboards();
 

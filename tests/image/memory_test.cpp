@@ -94,10 +94,12 @@ TEST_F(Memory, ProviderGivesTheSamePicture) {
     for (const restir::RayBackend rays :
          {restir::RayBackend::RayQuery, restir::RayBackend::Pipeline, restir::RayBackend::Software}) {
         Provider provider;
-        const samples::FloatImage expected = host({}, rays)->frames(0, 3, unbiased());
+        restir::Settings settings = unbiased();
+        if (rays != restir::RayBackend::RayQuery) settings.di.spatialPasses = 0;   // the same buffers in fewer shaders
+        const samples::FloatImage expected = host({}, rays)->frames(0, 3, settings);
         {
             const std::unique_ptr<HostView> provided = host(provider.sdk(), rays);
-            EXPECT_EQ(provided->frames(0, 3, unbiased()).rgb, expected.rgb) << "backend " << int(rays);
+            EXPECT_EQ(provided->frames(0, 3, settings).rgb, expected.rgb) << "backend " << int(rays);
             EXPECT_FALSE(provider.live.empty());
         }
         EXPECT_TRUE(provider.live.empty());

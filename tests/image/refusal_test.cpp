@@ -257,6 +257,7 @@ TEST_F(Refusal, Contexts) {
         {"framesInFlight", [](restir::ContextDesc& d) { d.framesInFlight = 0; }},
         {"framesInFlight", [](restir::ContextDesc& d) { d.framesInFlight = 17; }},
         {"maxTextures", [](restir::ContextDesc& d) { d.maxTextures = 0; }},
+        {"pipelines", [](restir::ContextDesc& d) { d.pipelines = restir::PipelineCreation(2); }},
         {"queueFamily", [](restir::ContextDesc& d) { d.queueFamily = 99; }},
         {"memory",
          [](restir::ContextDesc& d) { d.device.memory.release = [](void*, const restir::BufferGrant&) {}; }},

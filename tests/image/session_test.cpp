@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <thread>
 
 #include "image/host_view.h"
 #include "image/hypothesis.h"
@@ -333,6 +334,28 @@ TEST_F(SessionTest, OriginsShiftThePicture) {
             ASSERT_NEAR(shifted.rgb[i], whole.rgb[i], 1e-4f * whole.rgb[i]) << i;
         }
     }
+}
+
+// A loading thread makes pipelines that the frames beside it need, too, and others.
+TEST_F(SessionTest, PipelinesAreMadeBesideFrames) {
+    const samples::FloatImage expected = makeHost()->frames(0, 3, settings, 0);
+    restir::Settings other = settings;
+    other.di.fused = !other.di.fused;
+    const restir::FrameInput input = host->input(0);
+    restir::Session session = device().require(
+        restir::Session::create(host->context(), {.maxExtent = kExtent, .pairedNeighbours = restir::kPresetPartners}), "Session");
+    restir::Status first = restir::Status::DeviceError, second = first;
+    samples::FloatImage image;
+    {
+        const std::jthread loading([&] {
+            first = session.makePipelines(input, settings);
+            second = session.makePipelines(input, other);
+        });
+        image = frames(0, 3);
+    }
+    EXPECT_EQ(first, restir::Status::Ok);
+    EXPECT_EQ(second, restir::Status::Ok);
+    EXPECT_EQ(image.rgb, expected.rgb);
 }
 
 }   // namespace

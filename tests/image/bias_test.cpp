@@ -49,7 +49,7 @@ protected:
 
 TEST_F(Bias, TellsRightFromWrong) {
     ProofFile file(path("bias.json"));
-    run(plan({"static", "camera", "lights"}, {"pairwise-traced="}, 48), file);
+    run(plan({"static", "camera"}, {"pairwise-traced="}, 48), file);
     run(plan({"static"}, {"cached=visibility=cached"}, 48), file);   // wrong, and as quiet
     const Table table = tabulate(file, 0.015);
     std::printf("%s", biasTable(table).c_str());

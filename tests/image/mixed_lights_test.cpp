@@ -135,7 +135,6 @@ protected:
 };
 class LongMixedLights : public MixedLights {};
 
-TEST_F(MixedLights, Standing) { expectUnbiased("all kinds, standing", {}, 48, 24, 24); }
 TEST_F(MixedLights, Moving) { expectUnbiased("all kinds, moving", moveAll, 48, 24, 24); }
 TEST_F(LongMixedLights, Standing) { expectUnbiased("all kinds, standing, long", {}, 384, 96, 32); }
 TEST_F(LongMixedLights, Moving) { expectUnbiased("all kinds, moving, long", moveAll, 384, 96, 32); }

@@ -133,7 +133,7 @@ protected:
     }
 };
 
-// Camera, lamps and objects each alone are LongMoving's, and the bias table's.
+// Camera, lamps and objects each alone are LongMoving's, together EverythingAtOnce's.
 TEST_F(Moving, SwitchingLights) { expectUnbiased("switching lights", sequence(switchLamps)); }
 
 // The software backend keeps what its instances were itself.

@@ -22,7 +22,7 @@ struct ShaderPack {
     RayBackend rays = RayBackend::RayQuery;   // what its passes trace with
 };
 
-// When the pipelines of the passes are made, of which a host's settings and light tables need half or less.
+// When the pipelines of the passes are made.
 enum class PipelineCreation : uint8_t {
     All,        // by Context::create()
     OnDemand,   // by LightTable::create(), by Session::makePipelines(), else by Session::record() and prepare()

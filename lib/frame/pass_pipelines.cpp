@@ -74,6 +74,7 @@ Result<bool> PassPipelines::create(const Device& device, const Layouts& layouts,
 }
 
 Result<bool> PassPipelines::require(const char* pass) const noexcept {
+    if (when_ == PipelineCreation::All) return true;
     Entry& entry = entries_[size_t(&of(pass) - entries_.data())];
     if (entry.pipeline.load(std::memory_order_acquire)) return true;
     const std::lock_guard lock(entry.making);

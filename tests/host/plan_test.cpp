@@ -89,6 +89,33 @@ TEST(Plan, EveryPassHasAPipeline) {
             })) << pass.name;
 }
 
+Plan longestPlan() {
+    return makePlan({kExtent, true, 0, true, true, 0},
+                    {.di = {.spatialPasses = kMaxSpatialPasses,
+                            .checkerboard = true,
+                            .pairedNeighbours = true,
+                            .averageShading = false,
+                            .boilingFilter = 0.5f},
+                     .gi = {.mode = IndirectMode::Restir,
+                            .spatialPasses = kMaxSpatialPasses,
+                            .checkerboard = true,
+                            .averageShading = false,
+                            .boilingFilter = 0.5f},
+                     .debugView = DebugView::Age});
+}
+
+// What README says of PipelineCreation::OnDemand.
+TEST(Plan, NeedsFewOfThePipelines) {
+    const auto pipelines = [](const Plan& plan) {
+        std::set<std::string> passes;
+        for (const PassInfo& pass : plan.passes) passes.insert(pass.name);
+        return passes.size();
+    };
+    EXPECT_EQ(pipelines(makePlan({.extent = kExtent}, {.di = {.mode = DirectMode::Off}})), 2u);
+    EXPECT_EQ(pipelines(longestPlan()), 16u);
+    EXPECT_EQ(PassPipelines().all().size(), 36u);
+}
+
 // What it reads is what direct light's passes begin with.
 TEST(Plan, IndirectLightIsAddedOnceAndBeforeItIsWritten) {
     for (const Settings& settings : allSettings()) {
@@ -215,20 +242,7 @@ TEST(Plan, GradientComesBeforeAHalfIsLit) {
 }
 
 // What the Session has timestamps for.
-TEST(Plan, TheLongestIsAsLongAsDeclared) {
-    const Settings longest{.di = {.spatialPasses = kMaxSpatialPasses,
-                                  .checkerboard = true,
-                                  .pairedNeighbours = true,
-                                  .averageShading = false,
-                                  .boilingFilter = 0.5f},
-                           .gi = {.mode = IndirectMode::Restir,
-                                  .spatialPasses = kMaxSpatialPasses,
-                                  .checkerboard = true,
-                                  .averageShading = false,
-                                  .boilingFilter = 0.5f},
-                           .debugView = DebugView::Age};
-    EXPECT_EQ(makePlan({kExtent, true, 0, true, true, 0}, longest).passes.size(), kMaxTimedPasses);
-}
+TEST(Plan, TheLongestIsAsLongAsDeclared) { EXPECT_EQ(longestPlan().passes.size(), kMaxTimedPasses); }
 
 // Each kind of light has its own half.
 TEST(Plan, AHalfOfIndirectLightLeavesDirectLightWhole) {

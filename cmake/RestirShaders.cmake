@@ -7,9 +7,10 @@
 #       kEmbeddedQueryPack, kEmbeddedPipelinePack, kEmbeddedSoftwarePack and kEmbeddedOwnPack, and the first of them as kEmbeddedPack. Passes that
 #       do not trace are compiled once for all.
 #
-#   restir_compile_shaders(<target> SHADERS <file>... [INCLUDES <dir>...])
+#   restir_compile_shaders(<target> SHADERS <file>... [INCLUDES <dir>...] [VARIANT <name> [STAGE <stage>] [DEFINES <name>...]])
 #       the target's own shaders, which may include anything of restir's.
 #       a/name.glsl becomes k_name_spv[] in <name.spv.h>. The stage is compute, or what a/name.<stage>.glsl says.
+#       VARIANT x: k_name_x_spv[] in <name_x.spv.h>, of another stage or with macros; the same files may be compiled as they are, too.
 include_guard(GLOBAL)
 find_program(RESTIR_GLSLANG NAMES glslangValidator glslang REQUIRED)
 
@@ -143,9 +144,10 @@ static constexpr const restir::ShaderPack& kEmbeddedPack = kEmbedded@first@Pack;
 endfunction()
 
 function(restir_compile_shaders target)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SHADERS;INCLUDES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "VARIANT;STAGE" "SHADERS;INCLUDES;DEFINES")
     _restir_shader_dirs(includes shader_root)
     list(TRANSFORM arg_INCLUDES PREPEND -I)
+    list(TRANSFORM arg_DEFINES PREPEND -D)
     set(out ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
     file(MAKE_DIRECTORY ${out})
     foreach(shader IN LISTS arg_SHADERS)
@@ -155,9 +157,15 @@ function(restir_compile_shaders target)
         if(shader MATCHES "\\.(vert|frag|comp|rgen|rmiss|rchit|rahit)\\.glsl$")
             set(stage ${CMAKE_MATCH_1})
         endif()
+        if(arg_STAGE)
+            set(stage ${arg_STAGE})
+        endif()
+        if(arg_VARIANT)
+            string(APPEND name _${arg_VARIANT})
+        endif()
         _restir_compile(${target}
             SOURCE ${source} HEADER ${out}/${name}.spv.h SYMBOL k_${name}_spv STAGE ${stage}
-            FLAGS -I${shader_root}/standard ${includes} ${arg_INCLUDES})
+            FLAGS -I${shader_root}/standard ${includes} ${arg_INCLUDES} ${arg_DEFINES})
     endforeach()
     target_include_directories(${target} PRIVATE ${out})
 endfunction()

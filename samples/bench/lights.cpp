@@ -143,8 +143,11 @@ private:
 
 void run(const Options& options) {
     samples::Device device;
-    restir::ContextDesc desc{
-        .device = device.sdkInfo(), .framesInFlight = 2, .queueFamily = device.queueFamily()};
+    const restir::ContextDesc desc{.device = device.sdkInfo(),
+                                   .rays = device.bestRays(),
+                                   .pipelines = restir::PipelineCreation::OnDemand,
+                                   .framesInFlight = 2,
+                                   .queueFamily = device.queueFamily()};
     const restir::Context context = device.require(restir::Context::create(desc), "restir::Context");
     std::printf("%s, %zu bytes a light, best of %u\n", options.kinds.c_str(), sizeof(Light), options.rounds);
     std::printf("%9s %11s %11s %11s %7s %11s %11s\n", "lights", "memcpy ms", "upload ms", "record ms",

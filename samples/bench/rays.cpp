@@ -62,7 +62,7 @@ void run(samples::Device& device, const std::string& name, const Options& option
     printTrees(scene);
     std::vector<Backend> backends;
     for (const samples::RayBackendName& known : samples::rayBackends()) {
-        if (known.backend == restir::RayBackend::Pipeline && !device.hasRayPipelines()) continue;
+        if (!device.has(known.backend)) continue;
         Backend& made = backends.emplace_back();
         made.name = known.name;
         made.lighting =

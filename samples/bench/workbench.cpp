@@ -48,7 +48,7 @@ void addScene(CLI::App& command, SceneOptions& options) {
 
 Contender::Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
                      const samples::Sequence& sequence, std::string name, const restir::Settings& settings,
-                     restir::RayBackend rays)
+                     std::optional<restir::RayBackend> rays)
     : name_(std::move(name)), settings_(settings), extent_(extent), sequence_(sequence) {
     restir::SessionDesc session{.rayLogCapacity = extent_.width * extent_.height * kLoggedRays};
     samples::declareFor(settings, session);

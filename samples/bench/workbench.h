@@ -20,7 +20,7 @@ struct SceneOptions {
     float move = 0.2f;
     float zoom = 1;
     std::string animation;
-    restir::RayBackend rays = restir::RayBackend::RayQuery;
+    std::optional<restir::RayBackend> rays;
     restir::Settings settings;   // of every row, before its own settings
     std::vector<std::string> rows;
 };
@@ -30,7 +30,8 @@ void addScene(CLI::App& command, SceneOptions& options);
 class Contender {
 public:
     Contender(samples::Device& device, samples::GpuScene& scene, VkExtent2D extent,
-              const samples::Sequence& sequence, std::string name, const restir::Settings& settings, restir::RayBackend rays);
+              const samples::Sequence& sequence, std::string name, const restir::Settings& settings,
+              std::optional<restir::RayBackend> rays);
 
     const std::string& name() const { return name_; }
     const restir::Settings& settings() const { return settings_; }
@@ -62,7 +63,7 @@ public:
 
 private:
     VkExtent2D extent_;
-    restir::RayBackend rays_;
+    std::optional<restir::RayBackend> rays_;
     samples::Sequence sequence_;   // but for its frames and seed
     samples::Device device_;
     std::unique_ptr<samples::GpuScene> scene_;

@@ -17,7 +17,7 @@ public:
 
 private:
     VkExtent2D extent_;
-    ComputePass pass_;
+    ScenePass pass_;
 };
 
 }   // namespace samples

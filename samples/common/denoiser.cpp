@@ -67,7 +67,7 @@ Denoiser::Denoiser(const Device& device, const GpuScene& scene, const GBufferPas
     const Images& i = *images_;
     const restir::GBuffer g = gbuffer.describe();
     const auto make = [&](std::span<const uint32_t> spirv, const std::vector<VkImageView>& views) {
-        return std::make_unique<ComputePass>(device, scene, spirv, views, uint32_t(sizeof(Constants)));
+        return std::make_unique<ScenePass>(device, scene, spirv, views, uint32_t(sizeof(Constants)));
     };
     temporal_ = make(
         k_denoise_temporal_spv,
@@ -106,7 +106,7 @@ void Denoiser::ask(restir::Output& output, const restir::Settings& settings) con
 void Denoiser::record(VkCommandBuffer cmd, const restir::Scope& out, const restir::Settings& settings,
                       const CameraPose& pose, const CameraPose& previous) {
     memoryBarrier(cmd, {out.stages, out.access}, kShared);
-    const auto run = [&](const ComputePass& pass, int32_t stride) {
+    const auto run = [&](const ScenePass& pass, int32_t stride) {
         pass.record(cmd, extent_,
                     Constants{.pose = pose,
                               .previous = previous,

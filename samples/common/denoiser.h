@@ -31,8 +31,8 @@ private:
     std::unique_ptr<Images> images_;
     VkExtent2D extent_;
     bool history_ = false;
-    std::unique_ptr<ComputePass> temporal_, compose_;
-    std::array<std::unique_ptr<ComputePass>, 4> filters_;
+    std::unique_ptr<ScenePass> temporal_, compose_;
+    std::array<std::unique_ptr<ScenePass>, 4> filters_;
 };
 
 }   // namespace samples

@@ -11,9 +11,8 @@ namespace samples {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-constexpr std::array kRayExtensions = {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
-                                       VK_KHR_RAY_QUERY_EXTENSION_NAME,
-                                       VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
+constexpr std::array kStructureExtensions = {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                             VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
 
 bool hasLayer(const char* name) {
     uint32_t count = 0;
@@ -45,12 +44,12 @@ bool hasExtension(VkPhysicalDevice physical, const char* name) {
     });
 }
 
-bool canTraceRays(VkPhysicalDevice physical) {
-    return std::all_of(kRayExtensions.begin(), kRayExtensions.end(),
+bool hasStructures(VkPhysicalDevice physical) {
+    return std::all_of(kStructureExtensions.begin(), kStructureExtensions.end(),
                        [&](const char* name) { return hasExtension(physical, name); });
 }
 
-// Real GPUs before software ones.
+// Real GPUs before software ones, ray query or not.
 int rank(VkPhysicalDevice physical) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
@@ -182,7 +181,10 @@ void Device::makeInstance(const DeviceDesc& desc) {
 bool Device::isFit(VkPhysicalDevice physical) const {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
-    return properties.apiVersion >= VK_API_VERSION_1_3 && (!hasRays_ || canTraceRays(physical));
+    if (properties.apiVersion < VK_API_VERSION_1_3) return false;
+    if (!hasRays_) return true;
+    return hasStructures(physical) && ((hasRayQuery_ && hasExtension(physical, VK_KHR_RAY_QUERY_EXTENSION_NAME)) ||
+                                       hasExtension(physical, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME));
 }
 
 void Device::pickPhysical() {
@@ -198,12 +200,15 @@ void Device::pickPhysical() {
         if (physical_ == VK_NULL_HANDLE || rank(candidate) > rank(physical_)) physical_ = candidate;
     }
     if (physical_ == VK_NULL_HANDLE && tracing > 0)
-        throw std::runtime_error(surface_ ? "no device with ray query can draw to this display"
+        throw std::runtime_error(surface_ ? "no device that traces rays can draw to this display"
                                           : "the device has no compute queue");
     if (physical_ == VK_NULL_HANDLE) {
-        throw std::runtime_error("no Vulkan 1.3 device with ray query, which the samples' G-buffer and reference need (" +
+        throw std::runtime_error("no Vulkan 1.3 device with ray query or ray tracing pipelines, which the samples' G-buffer and "
+                                 "reference need (" +
                                  std::to_string(count) + " devices without)");
     }
+    hasRayQuery_ = hasRayQuery_ && hasExtension(physical_, VK_KHR_RAY_QUERY_EXTENSION_NAME);
+    hasRayPipelines_ = hasRays_ && hasExtension(physical_, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
     VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
     VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
@@ -232,6 +237,16 @@ std::optional<uint32_t> Device::findQueueFamily(VkPhysicalDevice physical) const
     return std::nullopt;
 }
 
+bool Device::has(restir::RayBackend rays) const {
+    return rays == restir::RayBackend::RayQuery ? hasRayQuery_ : rays != restir::RayBackend::Pipeline || hasRayPipelines_;
+}
+
+restir::RayBackend Device::bestRays() const {
+    return hasRayQuery_       ? restir::RayBackend::RayQuery
+           : hasRayPipelines_ ? restir::RayBackend::Pipeline
+                              : restir::RayBackend::Software;
+}
+
 void Device::makeDevice() {
     queueFamily_ = findQueueFamily(physical_).value();
     uint32_t count = queueFamily_ + 1;
@@ -239,15 +254,10 @@ void Device::makeDevice() {
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
     timestampBits_ = families[queueFamily_].timestampValidBits;
 
-    const restir::RayBackend rays = hasRayQuery_ ? restir::RayBackend::RayQuery
-                                    : hasRays_   ? restir::RayBackend::Pipeline
-                                                 : restir::RayBackend::Software;
-    restir::DeviceNeeds needs = restir::deviceNeeds(rays);
-    hasRayPipelines_ = rays == restir::RayBackend::Pipeline;
+    restir::DeviceNeeds needs = restir::deviceNeeds(bestRays());
     addOwnFeatures(needs);
     std::vector<const char*> extensions(needs.extensions.begin(), needs.extensions.end());
-    if (hasRayQuery_ && hasExtension(physical_, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME)) {
-        hasRayPipelines_ = true;
+    if (hasRayQuery_ && hasRayPipelines_) {
         needs.rayTracingPipeline.rayTracingPipeline = VK_TRUE;
         extensions.push_back(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
     }

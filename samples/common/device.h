@@ -1,4 +1,4 @@
-// Everything a small host needs around the SDK: an instance, a device with ray query, one queue.
+// Everything a small host needs around the SDK: an instance, a device that traces rays, one queue.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@ void check(VkResult result, const char* what);
 
 struct DeviceDesc {
     bool rays = true;        // off: as if no device had acceleration structures or ray query
-    bool rayQuery = true;    // off: ray tracing pipelines instead, which must be there
+    bool rayQuery = true;    // off: as if no device had ray query; ray tracing pipelines will do
     bool validate = false;   // core and synchronization validation; messages are printed and counted
     // For a window: extensions of the instance, and what makes its surface, which the Device then owns and
     // can present to.
@@ -55,7 +55,10 @@ public:
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     const std::string& driver() const { return driver_; }
     uint32_t scratchAlignment() const { return scratchAlignment_; }   // of acceleration structure builds
+    bool hasRayQuery() const { return hasRayQuery_; }           // what RayBackend::RayQuery needs
     bool hasRayPipelines() const { return hasRayPipelines_; }   // what RayBackend::Pipeline needs
+    bool has(restir::RayBackend rays) const;
+    restir::RayBackend bestRays() const;   // of the SDK's
     bool hasTimestamps() const { return timestampBits_ != 0; }
 
     // What the SDK is given. Its warnings go to stderr, its last error to sdkError().

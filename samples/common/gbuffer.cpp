@@ -3,6 +3,7 @@
 #include <restir/session.h>
 
 #include "gbuffer.spv.h"
+#include "gbuffer_raygen.spv.h"
 
 namespace samples {
 namespace {
@@ -37,7 +38,7 @@ std::array<GpuImage, Count> makeImages(const Device& device, VkExtent2D extent) 
 GBufferPass::GBufferPass(const Device& device, const GpuScene& scene, VkExtent2D extent)
     : extent_(extent),
       images_(makeImages<Count>(device, extent)),
-      pass_(device, scene, k_gbuffer_spv, views(), sizeof(Constants)) {}
+      pass_(device, scene, tracingShader(device, k_gbuffer_spv, k_gbuffer_raygen_spv), views(), sizeof(Constants)) {}
 
 std::array<VkImageView, GBufferPass::Count> GBufferPass::views() const {
     std::array<VkImageView, Count> result;
@@ -49,7 +50,7 @@ void GBufferPass::record(VkCommandBuffer cmd, const CameraPose& pose, const Came
                          glm::vec2 jitter, const restir::Scope& readers) const {
     const Access before{readers.stages, 0,
                         VK_IMAGE_LAYOUT_UNDEFINED};   // last frame's contents are done with
-    const Access write{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+    const Access write{pass_.stage(), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                        VK_IMAGE_LAYOUT_GENERAL};
     const Access after{readers.stages, readers.access, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     std::array<VkImageMemoryBarrier2, Count> barriers;

@@ -6,7 +6,7 @@
 #include <restir/frame.h>
 
 #include "common/camera.h"
-#include "common/compute_pass.h"
+#include "common/scene_pass.h"
 
 namespace samples {
 
@@ -33,7 +33,7 @@ private:
 
     VkExtent2D extent_;
     std::array<GpuImage, Count> images_;
-    ComputePass pass_;
+    ScenePass pass_;
 };
 
 }   // namespace samples

@@ -8,7 +8,7 @@ namespace {
 restir::Context makeContext(Device& device, const GpuScene& scene, const LightingDesc& lighting) {
     restir::ContextDesc desc;
     desc.device = device.sdkInfo();
-    desc.rays = lighting.rays;
+    desc.rays = lighting.rays.value_or(device.bestRays());
     desc.shaders = lighting.shaders;
     if (!lighting.shaders) desc.pipelines = restir::PipelineCreation::OnDemand;   // those are the caller's, and may go
     desc.framesInFlight = FrameSlots::kCount;
@@ -39,7 +39,7 @@ restir::LightTableDesc lightsOf(const GpuScene& scene, Emitters emitters) {
 Lighting::Lighting(Device& device, GpuScene& scene, const LightingDesc& desc)
     : device_(device),
       scene_(scene),
-      rays_(desc.rays),
+      rays_(desc.rays.value_or(device.bestRays())),
       lightsDesc_(lightsOf(scene, desc.emitters)),
       context_(makeContext(device, scene, desc)),
       sdkScene_(makeScene(device, context_, scene)),

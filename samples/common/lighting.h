@@ -15,7 +15,7 @@ enum class Emitters : uint8_t { Uploaded, Meshes };   // the host; the SDK, on t
 
 struct LightingDesc {
     Emitters emitters = Emitters::Uploaded;
-    restir::RayBackend rays = restir::RayBackend::RayQuery;
+    std::optional<restir::RayBackend> rays = {};   // unset: Device::bestRays()
     const restir::ShaderPack* shaders = nullptr;   // of `rays`; null: the library's own
 };
 

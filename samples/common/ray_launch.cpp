@@ -5,7 +5,6 @@
 #include <closest_hit.spv.h>
 #include <miss.spv.h>
 #include <trace_any.spv.h>
-#include <trace_pipeline.spv.h>
 
 namespace samples {
 namespace {
@@ -35,38 +34,20 @@ VkShaderModule makeModule(const Device& device, std::span<const uint32_t> spirv)
 
 }   // namespace
 
-RayLaunch::RayLaunch(const Device& device, const GpuScene& scene, uint32_t constantsSize)
-    : device_(device), scene_(scene) {
+RayLaunch::RayLaunch(const Device& device, VkPipelineLayout layout, std::span<const uint32_t> raygen) : device_(device) {
     try {
-        makeLayout(constantsSize);
-        makePipeline();
+        makePipeline(layout, raygen);
         makeTable();
     } catch (...) {
-        release();
+        vkDestroyPipeline(device.handle(), pipeline_, nullptr);
         throw;
     }
 }
 
-RayLaunch::~RayLaunch() { release(); }
+RayLaunch::~RayLaunch() { vkDestroyPipeline(device_.handle(), pipeline_, nullptr); }
 
-void RayLaunch::release() {
-    vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
-    vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
-}
-
-void RayLaunch::makeLayout(uint32_t constantsSize) {
-    const VkDescriptorSetLayout sets[] = {scene_.setLayout(), scene_.setLayout()};   // 0 is not used
-    const VkPushConstantRange range{VK_SHADER_STAGE_RAYGEN_BIT_KHR, 0, constantsSize};
-    const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                          .setLayoutCount = 2,
-                                          .pSetLayouts = sets,
-                                          .pushConstantRangeCount = 1,
-                                          .pPushConstantRanges = &range};
-    check(vkCreatePipelineLayout(device_.handle(), &info, nullptr, &layout_), "vkCreatePipelineLayout");
-}
-
-void RayLaunch::makePipeline() {
-    const Stage shaders[] = {{VK_SHADER_STAGE_RAYGEN_BIT_KHR, k_trace_pipeline_spv},
+void RayLaunch::makePipeline(VkPipelineLayout layout, std::span<const uint32_t> raygen) {
+    const Stage shaders[] = {{VK_SHADER_STAGE_RAYGEN_BIT_KHR, raygen},
                              {VK_SHADER_STAGE_MISS_BIT_KHR, k_miss_spv},
                              {VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, k_closest_hit_spv},
                              {VK_SHADER_STAGE_ANY_HIT_BIT_KHR, k_trace_any_spv}};
@@ -94,7 +75,7 @@ void RayLaunch::makePipeline() {
         .groupCount = kGroups,
         .pGroups = groups.data(),
         .maxPipelineRayRecursionDepth = 1,
-        .layout = layout_};
+        .layout = layout};
     const auto create =
         function<PFN_vkCreateRayTracingPipelinesKHR>(device_, "vkCreateRayTracingPipelinesKHR");
     const VkResult result =
@@ -124,12 +105,8 @@ void RayLaunch::makeTable() {
               "vkGetRayTracingShaderGroupHandlesKHR");
 }
 
-void RayLaunch::trace(VkCommandBuffer cmd, VkExtent2D extent, std::span<const std::byte> constants) const {
-    const VkDescriptorSet set = scene_.set();
+void RayLaunch::record(VkCommandBuffer cmd, VkExtent2D extent) const {
     vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, pipeline_);
-    vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, layout_, 1, 1, &set, 0, nullptr);
-    vkCmdPushConstants(cmd, layout_, VK_SHADER_STAGE_RAYGEN_BIT_KHR, 0,
-                       static_cast<uint32_t>(constants.size()), constants.data());
     VkStridedDeviceAddressRegionKHR regions[kGroups];
     for (uint32_t i = 0; i < kGroups; ++i) regions[i] = {address_ + i * stride_, stride_, stride_};
     regions[2].stride = 0;   // one record, whatever an instance's offset

@@ -1,35 +1,29 @@
-// A ray tracing pipeline of the samples' own, for lists of rays: one shader of each stage, the scene in set 1, push constants.
+// A ray tracing pipeline of the samples' own: a ray generation shader, the library's miss and closest-hit shaders, the scene's
+// alpha test.
 #pragma once
 
 #include <span>
 
-#include "common/gpu_scene.h"
+#include "common/gpu_memory.h"
 
 namespace samples {
 
 class RayLaunch {
 public:
-    // The device has ray pipelines (Device::hasRayPipelines()).
-    RayLaunch(const Device& device, const GpuScene& scene, uint32_t constantsSize);
+    // `layout` has the scene in set 1 and outlives this. The device has ray pipelines (Device::hasRayPipelines()).
+    RayLaunch(const Device& device, VkPipelineLayout layout, std::span<const uint32_t> raygen);
     ~RayLaunch();
     RayLaunch(const RayLaunch&) = delete;
     RayLaunch& operator=(const RayLaunch&) = delete;
 
-    template <class Constants>
-    void record(VkCommandBuffer cmd, VkExtent2D extent, const Constants& constants) const {
-        trace(cmd, extent, std::as_bytes(std::span(&constants, 1)));
-    }
+    // Sets and push constants have been recorded.
+    void record(VkCommandBuffer cmd, VkExtent2D extent) const;
 
 private:
-    void makeLayout(uint32_t constantsSize);
-    void makePipeline();
+    void makePipeline(VkPipelineLayout layout, std::span<const uint32_t> raygen);
     void makeTable();
-    void trace(VkCommandBuffer cmd, VkExtent2D extent, std::span<const std::byte> constants) const;
-    void release();
 
     const Device& device_;
-    const GpuScene& scene_;
-    VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline pipeline_ = VK_NULL_HANDLE;
     Buffer table_;   // a record of each group, `stride_` apart
     VkDeviceAddress address_ = 0;

@@ -1,30 +1,29 @@
 #include "common/ray_replay.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include <ray_replay.spv.h>
+#include <ray_replay_raygen.spv.h>
 
 namespace samples {
 
 double replayRays(const Device& device, const GpuScene& scene, VkBuffer rayLog, uint32_t rays, uint32_t rounds) {
     if (!device.hasTimestamps() || rays == 0) return 0;
     const VkBuffer buffers[] = {rayLog};
-    const ComputePass pass(device, scene, k_ray_replay_spv, {}, sizeof(uint32_t), buffers);
+    const ScenePass pass(device, scene, tracingShader(device, k_ray_replay_spv, k_ray_replay_raygen_spv), {}, sizeof(uint32_t), buffers);
     const VkQueryPoolCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO, .queryType = VK_QUERY_TYPE_TIMESTAMP, .queryCount = 2};
     VkQueryPool queries = VK_NULL_HANDLE;
     check(vkCreateQueryPool(device.handle(), &info, nullptr, &queries), "vkCreateQueryPool");
 
-    const uint32_t side = 8 * static_cast<uint32_t>(std::ceil(std::sqrt(double(rays) / 64)));
     double best = 0;
     for (uint32_t round = 0; round <= rounds; ++round) {
         device.submitAndWait([&](VkCommandBuffer cmd) {
             vkCmdResetQueryPool(cmd, queries, 0, 2);
-            vkCmdWriteTimestamp2(cmd, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, queries, 0);
-            pass.record(cmd, {side, side}, rays);
-            vkCmdWriteTimestamp2(cmd, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, queries, 1);
+            vkCmdWriteTimestamp2(cmd, pass.stage(), queries, 0);
+            pass.recordList(cmd, rays, rays);
+            vkCmdWriteTimestamp2(cmd, pass.stage(), queries, 1);
         });
         uint64_t stamps[2] = {};
         check(vkGetQueryPoolResults(device.handle(), queries, 0, 2, sizeof stamps, stamps, sizeof(uint64_t),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/compute_pass.h"
+#include "common/scene_pass.h"
 
 namespace samples {
 

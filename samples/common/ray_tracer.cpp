@@ -2,33 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 
-#include <trace_query.spv.h>
+#include <trace.spv.h>
+#include <trace_raygen.spv.h>
 #include <trace_software.spv.h>
 
 namespace samples {
 namespace {
 
-constexpr uint32_t kGroupSide = 8;
-constexpr VkBufferUsageFlags kUsage =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
-
-// Constants in trace_rays.glsl, for a ray generation shader.
-struct Addresses {
-    VkDeviceAddress rays, hits;
-    uint32_t count, unused;
-};
-
 constexpr Access kHost{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
-
-// Groups of 64 rays in a square: 65,535 are the most in a row.
-VkExtent2D extentOf(uint32_t rays) {
-    const uint32_t groups = (rays + kGroupSide * kGroupSide - 1) / (kGroupSide * kGroupSide);
-    const auto side = static_cast<uint32_t>(std::ceil(std::sqrt(static_cast<double>(groups))));
-    return {kGroupSide * side, kGroupSide * side};
-}
 
 }   // namespace
 
@@ -36,46 +19,40 @@ RayTracer::RayTracer(const Device& device, const GpuScene& scene, restir::RayBac
                      const restir::Bvh* bvh)
     : device_(device), scene_(scene), backend_(rays), bvh_(bvh) {}
 
-VkPipelineStageFlags2 RayTracer::stage() const {
-    return launch_ ? VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-}
-
 void RayTracer::makePass() {
-    if (backend_ == restir::RayBackend::Pipeline) {
-        if (!launch_) launch_ = std::make_unique<RayLaunch>(device_, scene_, sizeof(Addresses));
-    } else if (bvh_) {
+    if (bvh_) {
         const restir::BvhBuffers b = bvh_->buffers();
         const VkBuffer buffers[] = {rays_.handle(), hits_.handle(), b.nodes,    b.corners[0],
                                     b.corners[1],   b.corners[2],   b.instances};
-        pass_ = std::make_unique<ComputePass>(device_, scene_, k_trace_software_spv,
-                                              std::span<const VkImageView>(), 4 * sizeof(uint32_t), buffers);
+        pass_ = std::make_unique<ScenePass>(device_, scene_, k_trace_software_spv,
+                                            std::span<const VkImageView>(), 4 * sizeof(uint32_t), buffers);
     } else {
+        const bool raygen = backend_ == restir::RayBackend::Pipeline;
+        const PassShader shader = raygen ? PassShader(k_trace_raygen_spv, true) : PassShader(k_trace_spv);
         const VkBuffer buffers[] = {rays_.handle(), hits_.handle()};
-        pass_ = std::make_unique<ComputePass>(device_, scene_, k_trace_query_spv,
-                                              std::span<const VkImageView>(), sizeof(uint32_t), buffers);
+        pass_ = std::make_unique<ScenePass>(device_, scene_, shader, std::span<const VkImageView>(), sizeof(uint32_t),
+                                            buffers);
     }
 }
 
 void RayTracer::record(VkCommandBuffer cmd) const {
-    if (launch_) {
-        launch_->record(cmd, extentOf(count_), Addresses{rays_.address(), hits_.address(), count_, 0});
-    } else if (bvh_) {
+    if (bvh_) {
         const restir::BvhBuffers b = bvh_->buffers();
-        pass_->record(cmd, extentOf(count_), std::array{count_, b.root, b.previousRoot, previous_ ? 1u : 0u});
+        pass_->recordList(cmd, count_, std::array{count_, b.root, b.previousRoot, previous_ ? 1u : 0u});
     } else {
-        pass_->record(cmd, extentOf(count_), count_);
+        pass_->recordList(cmd, count_, count_);
     }
-    memoryBarrier(cmd, {stage(), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT}, kHost);
+    memoryBarrier(cmd, {pass_->stage(), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT}, kHost);
 }
 
 std::vector<RayHit> RayTracer::trace(std::span<const restir::gpu::RsLoggedRay> rays, bool previous) {
     count_ = static_cast<uint32_t>(rays.size());
     previous_ = previous;
     rays_ = Buffer(device_, {.size = rays.size_bytes(),
-                             .usage = kUsage,
+                             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                              .memory = MemoryKind::Upload});
     hits_ = Buffer(device_, {.size = rays.size() * sizeof(RayHit),
-                             .usage = kUsage,
+                             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                              .memory = MemoryKind::Readback});
     std::memcpy(rays_.mapped(), rays.data(), rays.size_bytes());
     makePass();
@@ -96,9 +73,9 @@ double RayTracer::milliseconds(uint32_t rounds) {
     for (uint32_t round = 0; round < rounds; ++round) {
         device_.submitAndWait([&](VkCommandBuffer cmd) {
             vkCmdResetQueryPool(cmd, queries, 0, 2);
-            vkCmdWriteTimestamp2(cmd, stage(), queries, 0);
+            vkCmdWriteTimestamp2(cmd, pass_->stage(), queries, 0);
             record(cmd);
-            vkCmdWriteTimestamp2(cmd, stage(), queries, 1);
+            vkCmdWriteTimestamp2(cmd, pass_->stage(), queries, 1);
         });
         uint64_t stamps[2] = {};
         check(vkGetQueryPoolResults(device_.handle(), queries, 0, 2, sizeof stamps, stamps, sizeof(uint64_t),

@@ -8,8 +8,7 @@
 #include <restir/bvh.h>
 #include <restir/shared/frame.h>
 
-#include "common/compute_pass.h"
-#include "common/ray_launch.h"
+#include "common/scene_pass.h"
 
 namespace samples {
 
@@ -25,7 +24,7 @@ struct RayHit {
 class RayTracer {
 public:
     // RayBackend::Software: in `bvh`, which has been recorded. The scene says what is opaque. Borrows all.
-    RayTracer(const Device& device, const GpuScene& scene, restir::RayBackend rays = restir::RayBackend::RayQuery,
+    RayTracer(const Device& device, const GpuScene& scene, restir::RayBackend rays,
               const restir::Bvh* bvh = nullptr);
 
     // `previous`: in what the Bvh held before.
@@ -36,7 +35,6 @@ public:
 private:
     void record(VkCommandBuffer cmd) const;
     void makePass();
-    VkPipelineStageFlags2 stage() const;
 
     const Device& device_;
     const GpuScene& scene_;
@@ -45,8 +43,7 @@ private:
     uint32_t count_ = 0;
     bool previous_ = false;
     Buffer rays_, hits_;
-    std::unique_ptr<ComputePass> pass_;
-    std::unique_ptr<RayLaunch> launch_;   // of RayBackend::Pipeline
+    std::unique_ptr<ScenePass> pass_;
 };
 
 }   // namespace samples

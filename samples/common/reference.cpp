@@ -3,6 +3,7 @@
 #include <array>
 
 #include "reference.spv.h"
+#include "reference_raygen.spv.h"
 
 namespace samples {
 namespace {
@@ -20,7 +21,7 @@ static_assert(sizeof(Constants) == 80);
 }   // namespace
 
 ReferencePass::ReferencePass(const Device& device, const GpuScene& scene, VkImageView target)
-    : scene_(scene), pass_(device, scene, k_reference_spv, std::array{target}, sizeof(Constants)) {}
+    : scene_(scene), pass_(device, scene, tracingShader(device, k_reference_spv, k_reference_raygen_spv), std::array{target}, sizeof(Constants)) {}
 
 void ReferencePass::record(VkCommandBuffer cmd, VkExtent2D extent, const Frame& frame,
                            const ReferenceSettings& settings, bool jitters) const {
@@ -51,7 +52,7 @@ FloatImage Reference::render(const Sequence& sequence, const ReferenceSettings& 
         for (size_t i = 3; i < target.size(); i += 4) raysPerFrame_ += static_cast<double>(target[i]);
     };
     callbacks.progress = progress;
-    callbacks.written = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+    callbacks.written = pass_.written();
     return loop_.run(sequence, callbacks, sequence.accumulate ? sequence.skip : sequence.frames - 1);
 }
 

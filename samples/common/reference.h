@@ -1,7 +1,7 @@
 // The path tracer that everything else is measured against.
 #pragma once
 
-#include "common/compute_pass.h"
+#include "common/scene_pass.h"
 #include "common/frame_loop.h"
 
 namespace samples {
@@ -20,10 +20,11 @@ public:
 
     void record(VkCommandBuffer cmd, VkExtent2D extent, const Frame& frame, const ReferenceSettings& settings,
                 bool jitters) const;
+    restir::Scope written() const { return {pass_.stage(), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT}; }
 
 private:
     const GpuScene& scene_;
-    ComputePass pass_;
+    ScenePass pass_;
 };
 
 class Reference {

@@ -78,7 +78,7 @@ const RayBackendName& rayBackend(restir::RayBackend backend) {
     throw std::runtime_error("the samples do not know this ray backend");
 }
 
-void addRays(CLI::App& app, restir::RayBackend& rays) {
+void addRays(CLI::App& app, std::optional<restir::RayBackend>& rays) {
     std::vector<std::string> names;
     std::string list;
     for (const RayBackendName& known : rayBackends()) {
@@ -88,7 +88,7 @@ void addRays(CLI::App& app, restir::RayBackend& rays) {
     app.add_option_function<std::string>(
            "--rays",
            [&rays](const std::string& text) { rays = rayBackend(text).backend; },
-           "how the SDK traces rays (query)")
+           "how the SDK traces rays (query; pipeline where the device has no ray query)")
         ->check(CLI::IsMember(names))
         ->type_name(list);
 }

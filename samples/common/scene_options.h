@@ -34,7 +34,7 @@ VkExtent2D parseSize(const std::string& text);
 void addSize(CLI::App& app, VkExtent2D& extent, const std::string& help);
 
 // --rays: how the SDK traces.
-void addRays(CLI::App& app, restir::RayBackend& rays);
+void addRays(CLI::App& app, std::optional<restir::RayBackend>& rays);
 struct RayBackendName {
     restir::RayBackend backend;
     const char* name;

@@ -5,6 +5,7 @@
 #include <restir_embedded.h>
 
 #include "visibility.spv.h"
+#include "visibility_raygen.spv.h"
 
 namespace own_bridge {
 namespace {
@@ -14,7 +15,6 @@ using samples::check;
 
 constexpr Access kCopyFrom{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
                            VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
-constexpr Access kWritten{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
 struct VisibilityConstants {
     samples::CameraPose pose;
@@ -52,8 +52,8 @@ Host::Host(samples::Device& device, const samples::GpuScene& scene, std::span<co
       rays_(rays),
       visibility_(storage(device, bytesOf(extent), samples::MemoryKind::Gpu)),
       paints_(storage(device, paints.size_bytes(), samples::MemoryKind::Upload)),
-      visibilityPass_(device, scene, k_visibility_spv, {}, sizeof(VisibilityConstants),
-                      {{visibility_.handle()}}) {
+      visibilityPass_(device, scene, samples::tracingShader(device, k_visibility_spv, k_visibility_raygen_spv), {},
+                      sizeof(VisibilityConstants), {{visibility_.handle()}}) {
     for (size_t i = 0; i < TargetCount; ++i) {
         targets_[i] = samples::GpuImage(device, extent, VK_FORMAT_R32G32B32A32_SFLOAT,
                                         VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
@@ -156,7 +156,8 @@ void Host::frame(const samples::View& view, uint64_t index, uint32_t seed, const
     const Access lit{writer.stages, writer.access, VK_IMAGE_LAYOUT_GENERAL};
     device_.submitAndWait([&](VkCommandBuffer cmd) {
         visibilityPass_.record(cmd, extent_, VisibilityConstants{pose, extent_});
-        samples::memoryBarrier(cmd, kWritten, {readers.stages, readers.access});
+        samples::memoryBarrier(cmd, {visibilityPass_.stage(), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                               {readers.stages, readers.access});
         for (const samples::GpuImage& target : targets_)
             samples::pipelineBarrier(
                 cmd, {{samples::imageBarrier(target, {kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED},

@@ -8,7 +8,7 @@
 #include <restir/restir.h>
 
 #include "common/camera.h"
-#include "common/compute_pass.h"
+#include "common/scene_pass.h"
 #include "common/image_io.h"
 
 namespace own_bridge {
@@ -30,7 +30,7 @@ public:
 
     // The scene outlives it. One frame is in flight at a time. `rays`: RayQuery or Pipeline.
     Host(samples::Device& device, const samples::GpuScene& scene, std::span<const Paint> paints,
-         VkExtent2D extent, restir::RayBackend rays = restir::RayBackend::RayQuery);
+         VkExtent2D extent, restir::RayBackend rays);   // RayQuery or Pipeline
     ~Host();
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
@@ -49,7 +49,7 @@ private:
     VkExtent2D extent_;
     restir::RayBackend rays_;
     samples::Buffer visibility_, paints_;
-    samples::ComputePass visibilityPass_;
+    samples::ScenePass visibilityPass_;
     samples::GpuImage targets_[TargetCount];
     samples::Buffer readbacks_[TargetCount];
     VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;

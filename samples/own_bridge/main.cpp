@@ -11,7 +11,7 @@ int main(int argc, char** argv) try {
     const samples::View view = data.views[0];
     const std::vector<own_bridge::Paint> paints = own_bridge::paintsOf(data);
     const samples::GpuScene scene(device, std::move(data));
-    own_bridge::Host host(device, scene, paints, kExtent);
+    own_bridge::Host host(device, scene, paints, kExtent, device.bestRays());
     const restir::Settings settings{.di = restir::presetSettings(restir::Preset::Balanced)};
     for (uint32_t i = 0; i < 8; ++i) host.frame(samples::orbit(view, 0.5f * float(i)), i, 0, settings);
     samples::writePng(argc > 1 ? argv[1] : "own_bridge.png", host.read(own_bridge::Host::Radiance));

@@ -5,7 +5,7 @@
 
 #include <restir/lights.h>
 
-#include "common/compute_pass.h"
+#include "common/scene_pass.h"
 
 namespace probe {
 
@@ -15,7 +15,7 @@ struct Probe {
 
 class Probes {
 public:
-    // Of the lights that `lights` recorded last. At most 65,535 x 8 of them.
+    // Of the lights that `lights` recorded last.
     Probes(const samples::Device& device, const samples::GpuScene& scene, const restir::LightTable& lights,
            uint32_t count);
 
@@ -28,7 +28,7 @@ private:
     uint32_t count_;
     restir::LightBuffers lights_;
     samples::Buffer buffer_;
-    samples::ComputePass pass_;
+    samples::ScenePass pass_;
 };
 
 }   // namespace probe

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "common/compute_pass.h"
+#include "common/scene_pass.h"
 
 namespace viewer {
 
@@ -38,7 +38,7 @@ private:
     VkExtent2D extent_, tiles_;
     samples::GpuImage mean_, shown_;
     samples::Buffer findings_;
-    samples::ComputePass pass_;
+    samples::ScenePass pass_;
     double referenceMean_ = 0;
     struct Recorded {
         bool frame = false, reference = false;

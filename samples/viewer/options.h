@@ -13,7 +13,7 @@ namespace viewer {
 
 struct Options {
     samples::SceneOptions scene;
-    restir::RayBackend rays = restir::RayBackend::RayQuery;
+    std::optional<restir::RayBackend> rays;   // unset: the best of the device
     restir::Settings settings;
     VkExtent2D window{1280, 720};
     std::optional<float> scale;   // unset: 1 on a GPU, less where the CPU has to do

@@ -44,11 +44,11 @@ Viewer::Viewer(const Options& options)
       overlay_(device_, window_, swapchain_),
       slots_(device_) {
     const bool software = device_.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    state_.rays = options.rays;
+    state_.rays = options.rays.value_or(device_.bestRays());
     state_.settings = options.settings;
     state_.scale = options.scale.value_or(software ? kSoftwareScale : 1.0f);
     if (!options.script.empty()) script_.emplace(options.script);
-    if (!options.bridge.empty()) shaders_.emplace(options.bridge, options.rays);
+    if (!options.bridge.empty()) shaders_.emplace(options.bridge, state_.rays);
     resizeWindow();
     load(options.scene.scene);
 }
@@ -143,8 +143,8 @@ void Viewer::prepare() {
     const auto pictures = std::exchange(state_.savePictures, {});
     try {
         for (const std::string& path : pictures) savePicture(device_, *picture_, path);
-        if (state_.rays == restir::RayBackend::Pipeline && !device_.hasRayPipelines()) {
-            std::fprintf(stderr, "the device has no ray tracing pipelines\n");
+        if (!device_.has(state_.rays)) {
+            std::fprintf(stderr, "the device has none of what rays by %s need\n", samples::rayBackend(state_.rays).name);
             state_.rays = stage_->lighting->rays();
         }
         if (state_.rays != stage_->lighting->rays()) switchRays();

@@ -45,6 +45,7 @@ restir::Context& context() {
     static restir::Context context = [] {
         restir::ContextDesc desc{
             .device = gpu().sdkInfo(),
+            .rays = gpu().bestRays(),
             .pipelines = restir::PipelineCreation::OnDemand,
             .framesInFlight = kSlots,
             .queueFamily = gpu().queueFamily()};

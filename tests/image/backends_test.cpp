@@ -47,23 +47,15 @@ samples::Sequence sequence(const char* animation) {
     return result;
 }
 
-size_t otherPixels(const samples::FloatImage& a, const samples::FloatImage& b) {
-    size_t other = 0;
-    for (size_t i = 0; i < a.rgb.size(); i += 3)
-        other += std::abs(a.rgb[i] - b.rgb[i]) > 1e-3f * (a.rgb[i] + b.rgb[i]) ? 1 : 0;
-    return other;
-}
-
 // The same random numbers meet the same triangles, but for rays that graze an edge; one other choice spreads over
 // neighbours and frames. `render` makes the picture by a backend.
 void expectSamePictures(const char* name, size_t others,
                         const std::function<samples::FloatImage(restir::RayBackend)>& render) {
-    const samples::FloatImage query = render(restir::RayBackend::RayQuery);
+    const samples::FloatImage expected = render(device().bestRays());
     for (const samples::RayBackendName& rays : samples::rayBackends()) {
-        if (rays.backend == restir::RayBackend::RayQuery) continue;
-        if (rays.backend == restir::RayBackend::Pipeline && !device().hasRayPipelines()) continue;
-        const size_t other = otherPixels(render(rays.backend), query);
-        std::printf("%s, %s: %zu of %zu pixels differ\n", name, rays.name, other, query.rgb.size() / 3);
+        if (rays.backend == device().bestRays() || !device().has(rays.backend)) continue;
+        const size_t other = otherPixels(render(rays.backend), expected);
+        std::printf("%s, %s: %zu of %zu pixels differ\n", name, rays.name, other, expected.rgb.size() / 3);
         EXPECT_LE(other, others);
     }
 }
@@ -88,12 +80,12 @@ TEST(AlphaTested, SameSeedSamePicture) {
 // Independent seeds, means against means.
 TEST_P(Backends, SameLight) {
     samples::Sequence s = sequence(GetParam());
-    SeedStatistics query, software;
+    SeedStatistics hardware, software;
     for (s.seed = 1; s.seed <= kPictures; ++s.seed)
-        query.add(world(restir::RayBackend::RayQuery).render(s, everything()));
+        hardware.add(world(device().bestRays()).render(s, everything()));
     for (; s.seed <= 2 * kPictures; ++s.seed)
         software.add(world(restir::RayBackend::Software).render(s, everything()));
-    const Agreement a = compare(software, referenceFromSeeds(query));
+    const Agreement a = compare(software, referenceFromSeeds(hardware));
     print(GetParam(), a);
     EXPECT_LE(a.worstZ, studentBound(a.blocks, kPictures));
     for (size_t c = 0; c < 3; ++c) {
@@ -112,19 +104,19 @@ void expectAgreement(const char* name, samples::SceneData data, VkExtent2D exten
     for (const auto& material : data.materials) masked += material.flags & RS_MATERIAL_ALPHA_MASK ? 1 : 0;
     samples::GpuScene scene(device(), std::move(data));
     const samples::Lighting lighting(device(), scene, {.rays = restir::RayBackend::Software});
-    samples::RayTracer query(device(), scene),
+    samples::RayTracer first(device(), scene, device().bestRays()),
         software(device(), scene, restir::RayBackend::Software, lighting.bvh());
     std::optional<samples::RayTracer> pipeline;
-    if (device().hasRayPipelines()) pipeline.emplace(device(), scene, restir::RayBackend::Pipeline);
+    if (device().hasRayQuery() && device().hasRayPipelines()) pipeline.emplace(device(), scene, restir::RayBackend::Pipeline);
     const std::vector<samples::RsLoggedRay> primary =
         samples::primaryRays(samples::makePose(view, extent), extent);
-    const std::vector<samples::RayHit> seen = query.trace(primary);
+    const std::vector<samples::RayHit> seen = first.trace(primary);
     const float reach = 2 * glm::distance(view.eye, view.target);
     for (const auto& [kind, rays] :
          {std::pair("primary", primary),
           std::pair("scattered", samples::scatteredRays(primary, seen, reach, true, 1)),
           std::pair("shadow", samples::scatteredRays(primary, seen, reach, false, 2))}) {
-        const std::vector<samples::RayHit> hits = query.trace(rays);
+        const std::vector<samples::RayHit> hits = first.trace(rays);
         const samples::HitComparison c = samples::compareHits(rays, hits, software.trace(rays));
         std::printf(
             "%-14s %-10s %6zu rays, %6zu hits: %zu hit where the other misses, %zu hit another triangle "

@@ -5,10 +5,12 @@
 #include <numbers>
 
 #include <common/acceleration.h>
+#include <common/builtin.h>
 #include <common/camera.h>
 #include <common/gpu_memory.h>
 #include <restir/restir.h>
 
+#include "image/hypothesis.h"
 #include "image/world.h"
 
 namespace tests {
@@ -194,6 +196,29 @@ TEST(BareDevice, ShadowOfAWallWithoutRayTracing) { expectShadow(restir::RayBacke
 TEST(BareDevice, ShadowOfAWallWithoutRayQuery) {
     if (!device().hasRayPipelines()) GTEST_SKIP() << "no ray tracing pipelines";
     expectShadow(restir::RayBackend::Pipeline);
+}
+
+// The samples' own passes trace by ray tracing pipelines where there is no ray query: the same random numbers, the same
+// triangles.
+TEST(BareDevice, SamplesWithoutRayQuery) {
+    if (!device().hasRayQuery() || !device().hasRayPipelines()) GTEST_SKIP() << "not both on this device";
+    constexpr VkExtent2D extent{40, 24};
+    samples::Device bare({.rayQuery = false, .validate = true});
+    EXPECT_EQ(bare.bestRays(), restir::RayBackend::Pipeline);
+    for (const char* name : {"cornell", "market"}) {
+        samples::FloatImage lit[2], references[2];
+        for (samples::Device* each : {&device(), &bare}) {
+            samples::GpuScene scene(*each, samples::makeBuiltin(name));
+            const samples::Sequence sequence{.view = samples::makeBuiltin(name).views[0], .frames = 2, .seed = 7};
+            lit[each == &bare] = samples::Renderer(*each, scene, extent).render(sequence, unbiased());
+            references[each == &bare] =
+                samples::Reference(*each, scene, extent).render(sequence, {.paths = 4, .bounces = 3});
+        }
+        EXPECT_GT(largest(lit[0]), 0.1f);
+        EXPECT_LE(otherPixels(lit[1], lit[0]), 10u) << name;   // rays that graze an edge
+        EXPECT_LE(otherPixels(references[1], references[0]), 10u) << name;
+    }
+    EXPECT_EQ(bare.validationMessages(), 0u);
 }
 
 }   // namespace

@@ -35,6 +35,7 @@ restir::ContextDesc HostView::contextDesc() {
     desc.device = device().sdkInfo();
     desc.framesInFlight = kSlots;
     desc.queueFamily = device().queueFamily();
+    desc.rays = device().bestRays();
     desc.maxTextures = 4;
     desc.pipelines = restir::PipelineCreation::OnDemand;   // most tests need a few of them
     return desc;
@@ -55,7 +56,8 @@ HostView::HostView(const samples::GpuScene& scene, const samples::View& view, co
     restir::ContextDesc contextInfo = contextDesc();
     contextInfo.device.memory = desc.memory;
     contextInfo.shaders = desc.shaders;
-    contextInfo.rays = desc.rays;
+    if (!desc.rays) desc_.rays = desc.shaders ? desc.shaders->rays : contextInfo.rays;
+    contextInfo.rays = *desc_.rays;
     context_ = made(restir::Context::create(contextInfo), "Context");
     const restir::SceneDesc sceneInfo{
         .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
@@ -90,7 +92,7 @@ void HostView::look(const samples::View& view) {
                               before = samples::makePose(view_, extent_);
     view_ = view;
     device().submitAndWait([&](VkCommandBuffer cmd) {
-        gbuffers_.back()->record(cmd, pose, before, {0, 0}, restir::Session::inputScope(desc_.rays));
+        gbuffers_.back()->record(cmd, pose, before, {0, 0}, restir::Session::inputScope(*desc_.rays));
     });
 }
 
@@ -105,7 +107,7 @@ void HostView::resize(VkExtent2D extent) {
     gbuffers_.push_back(std::make_unique<samples::GBufferPass>(device(), scene_, extent));
     const samples::CameraPose pose = samples::makePose(view_, extent);
     device().submitAndWait([&](VkCommandBuffer cmd) {
-        gbuffers_.back()->record(cmd, pose, pose, {0, 0}, restir::Session::inputScope(desc_.rays));
+        gbuffers_.back()->record(cmd, pose, pose, {0, 0}, restir::Session::inputScope(*desc_.rays));
     });
 }
 
@@ -142,7 +144,7 @@ void HostView::record(VkCommandBuffer cmd, restir::Session& session, const resti
 
 void HostView::around(VkCommandBuffer cmd, const restir::FrameInput& input,
                       const std::function<void()>& passes) {
-    const restir::Scope scope = restir::Session::outputScope(desc_.rays);
+    const restir::Scope scope = restir::Session::outputScope(*desc_.rays);
     const Access written{scope.stages, scope.access, VK_IMAGE_LAYOUT_GENERAL};
     const Access before{kCopyFrom.stages, 0, VK_IMAGE_LAYOUT_UNDEFINED};   // last use was copied
     const auto barriers = [&](const Access& from, const Access& to) {
@@ -199,7 +201,7 @@ samples::GpuImage floatImage(VkExtent2D extent, const std::vector<glm::vec4>& te
                                              .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                              .memory = samples::MemoryKind::Upload});
     std::memcpy(staging.mapped(), texels.data(), bytesOf(extent));
-    const restir::Scope scope = restir::Session::inputScope(restir::RayBackend::RayQuery);
+    const restir::Scope scope = restir::Session::inputScope(device().bestRays());
     const Access read{scope.stages, scope.access, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     device().submitAndWait([&](VkCommandBuffer cmd) {
         samples::pipelineBarrier(cmd, {{samples::imageBarrier(image, {}, kCopyTo)}});

@@ -22,7 +22,7 @@ struct HostDesc {
     uint32_t pairedNeighbours = 0;
     bool indirect = false;
     const restir::ShaderPack* shaders = nullptr;   // null: the library's
-    restir::RayBackend rays = restir::RayBackend::RayQuery;
+    std::optional<restir::RayBackend> rays;   // unset: of the shaders, else the best of the device
 };
 
 // The images of restir::Output.

@@ -161,6 +161,13 @@ bool allFinite(const samples::FloatImage& image) {
 
 float largest(const samples::FloatImage& image) { return *std::max_element(image.rgb.begin(), image.rgb.end()); }
 
+size_t otherPixels(const samples::FloatImage& a, const samples::FloatImage& b) {
+    size_t other = 0;
+    for (size_t i = 0; i < a.rgb.size(); i += 3)
+        other += std::abs(a.rgb[i] - b.rgb[i]) > 1e-3f * (a.rgb[i] + b.rgb[i]) ? 1 : 0;
+    return other;
+}
+
 double largestDifference(const samples::FloatImage& a, const samples::FloatImage& b) {
     double difference = 0;
     for (size_t i = 0; i < a.rgb.size(); ++i)

@@ -48,6 +48,8 @@ samples::FloatImage halfBlurred(const samples::FloatImage& image);
 
 bool allFinite(const samples::FloatImage& image);
 float largest(const samples::FloatImage& image);
+// Pixels that differ by more than rounding does.
+size_t otherPixels(const samples::FloatImage& a, const samples::FloatImage& b);
 // The largest |a - b| relative to the largest value of b.
 double largestDifference(const samples::FloatImage& a, const samples::FloatImage& b);
 

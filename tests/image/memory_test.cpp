@@ -59,7 +59,7 @@ protected:
         scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
     }
     std::unique_ptr<HostView> host(const restir::MemoryProvider& memory = {},
-                                   restir::RayBackend rays = restir::RayBackend::RayQuery) const {
+                                   restir::RayBackend rays = device().bestRays()) const {
         return std::make_unique<HostView>(*scene, view, HostDesc{.maxExtent = kExtent, .memory = memory, .rays = rays});
     }
 
@@ -93,9 +93,10 @@ TEST_F(Memory, ProviderSeesWhatWasAnnounced) {
 TEST_F(Memory, ProviderGivesTheSamePicture) {
     for (const restir::RayBackend rays :
          {restir::RayBackend::RayQuery, restir::RayBackend::Pipeline, restir::RayBackend::Software}) {
+        if (!device().has(rays)) continue;
         Provider provider;
         restir::Settings settings = unbiased();
-        if (rays != restir::RayBackend::RayQuery) settings.di.spatialPasses = 0;   // the same buffers in fewer shaders
+        if (rays != device().bestRays()) settings.di.spatialPasses = 0;   // the same buffers in fewer shaders
         const samples::FloatImage expected = host({}, rays)->frames(0, 3, settings);
         {
             const std::unique_ptr<HostView> provided = host(provider.sdk(), rays);

@@ -23,7 +23,7 @@ protected:
         scene = std::make_unique<samples::GpuScene>(device(), std::move(data));
         makeHost();
     }
-    void makeHost(restir::RayBackend rays = restir::RayBackend::RayQuery) {
+    void makeHost(restir::RayBackend rays = device().bestRays()) {
         host = std::make_unique<own_bridge::Host>(device(), *scene, paints, kExtent, rays);
     }
     samples::FloatImage picture(uint32_t seed, own_bridge::Host::Target target = own_bridge::Host::Radiance) {

@@ -1,10 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The host's G-buffer by primary rays: what a rasteriser would have written, jitter included.
-#include "include/scene.glsl"
+#include "include/scene_trace.glsl"
 #include "include/camera.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform writeonly image2D depthImage;
 layout(set = 0, binding = 1) uniform writeonly image2D normalImage;
 layout(set = 0, binding = 2) uniform writeonly image2D geometricNormalImage;
@@ -53,7 +52,7 @@ void storeEmpty(ivec2 at) {
 }
 
 void main() {
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = sceneThread();
     if (any(greaterThanEqual(pixel, extent))) return;
     vec2 unjittered = vec2(pixel) + 0.5 - jitter;
     vec3 direction = cameraDirection(camera, unjittered, vec2(extent));

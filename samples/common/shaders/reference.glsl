@@ -2,12 +2,11 @@
 #extension GL_GOOGLE_include_directive : require
 // The reference: unidirectional path tracing, next-event estimation with every light equally likely, combined
 // with BSDF sampling by the balance heuristic. Shares no code with the SDK.
-#include "include/scene.glsl"
+#include "include/scene_trace.glsl"
 #include "include/camera.glsl"
 #include "include/bsdf.glsl"
 #include "include/reference_lights.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform writeonly image2D radianceImage;   // w: rays traced
 
 layout(push_constant, scalar) uniform Constants {
@@ -171,7 +170,7 @@ vec2 pixelOffset(uint pixelIndex, uint index) {
 }
 
 void main() {
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = sceneThread();
     if (any(greaterThanEqual(pixel, extent))) return;
     vec3 sum = vec3(0.0);
     uint rays = 0u;

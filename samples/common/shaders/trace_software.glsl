@@ -20,6 +20,6 @@ uvec4 rsLoadBvhInstance(uint vector) { return instances[vector]; }
 uint rsBvhRoot(bool previous) { return previous ? previousRoot : root; }
 
 void main() {
-    uint i = rayOfInvocation();
+    uint i = sceneThreadIndex();
     if (i < rayCount) traceRay(i, previous != 0u);
 }

@@ -1,10 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The host's visibility buffer by primary rays: 0 or 1 + record, triangle, barycentrics.
-#include "include/scene.glsl"
+#include "include/scene_trace.glsl"
 #include "include/camera.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0, scalar) writeonly buffer Visibility { uvec4 visibility[]; };
 
 layout(push_constant, scalar) uniform Constants {
@@ -13,7 +12,7 @@ layout(push_constant, scalar) uniform Constants {
 };
 
 void main() {
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 pixel = sceneThread();
     if (any(greaterThanEqual(pixel, extent))) return;
     vec3 direction = cameraDirection(camera, vec2(pixel) + 0.5, vec2(extent));
     Hit hit = sceneTrace(camera.eye, direction, 1e30, gl_RayFlagsNoneEXT);

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The irradiance of each probe by lights drawn from restir's tables, with a shadow ray to each.
-#include "include/scene.glsl"
+#include "include/scene_trace.glsl"
 layout(push_constant, scalar) uniform Constants {
     uvec2 environmentExtent;
-    uint lightCount, width, probeCount, draws, seed;
+    uint lightCount, probeCount, draws, seed;
     float treeShare;
 };
 #define RS_LIGHTS_SET 0
@@ -12,7 +12,6 @@ layout(push_constant, scalar) uniform Constants {
 #define RS_LIGHTS_TREE treeShare
 #include "restir/bridge/lights.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
 
 struct Probe {   // in probes.h
     vec3 position, normal, irradiance;
@@ -24,10 +23,10 @@ uvec2 rsEnvironmentExtent() { return environmentExtent; }
 vec4 rsBridgeTexture(uint index, vec2 uv) { return sceneTexture(index, uv); }
 
 void main() {
-    uint i = gl_GlobalInvocationID.y * width + gl_GlobalInvocationID.x;
-    if (gl_GlobalInvocationID.x >= width || i >= probeCount) return;
+    uint i = sceneThreadIndex();
+    if (i >= probeCount) return;
     Probe probe = probes[i];
-    RsRandom random = rsRandom(gl_GlobalInvocationID.xy, seed, 0u);
+    RsRandom random = rsRandom(uvec2(i, 0u), seed, 0u);
     vec3 sum = vec3(0.0);
     for (uint k = 0u; k < draws; ++k) {
         RsDrawnLight light = rsDrawLight(probe.position, probe.normal, random);

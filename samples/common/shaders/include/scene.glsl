@@ -1,19 +1,17 @@
-// The scene as GpuScene binds it (set 1): attributes of a hit, its material, and rays.
+// The scene as GpuScene binds it (set 1): attributes of a hit and its material.
 #ifndef SAMPLES_SCENE_GLSL
 #define SAMPLES_SCENE_GLSL
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_EXT_nonuniform_qualifier : require
-#extension GL_EXT_ray_query : require
 #extension GL_EXT_scalar_block_layout : require
 #include "restir/shared/scene.h"
 
-layout(set = 1, binding = 0) uniform accelerationStructureEXT sceneTlas;
 layout(set = 1, binding = 1, scalar) readonly buffer SceneInstances { RsInstance sceneInstances[]; };
 layout(set = 1, binding = 2, scalar) readonly buffer SceneMaterials { RsMaterial sceneMaterials[]; };
 // Rows of last frame's worldFromObject, three for each record.
 layout(set = 1, binding = 4, scalar) readonly buffer ScenePreviousTransforms { vec4 scenePreviousTransforms[]; };
-layout(set = 1, binding = 6) uniform sampler2D sceneTextures[];   // 5: sky.glsl
+layout(set = 1, binding = 6) uniform sampler2D sceneTextures[];   // 0: scene_trace.glsl, 5: sky.glsl
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vectors { vec3 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Coordinates { vec2 at[]; };
@@ -166,28 +164,6 @@ bool sceneOpaque(uint record, uint primitive, vec2 barycentrics) {
         opacity *= sceneTexture(material.baseColorTexture, uv).a;
     }
     return opacity >= material.alphaCutoff;
-}
-
-// `flags` are gl_RayFlags*. With TerminateOnFirstHit only Hit::found means anything.
-Hit sceneTrace(vec3 origin, vec3 direction, float tMax, uint flags) {
-    rayQueryEXT query;
-    rayQueryInitializeEXT(query, sceneTlas, flags, 0xffu, origin, 0.0, direction, tMax);
-    while (rayQueryProceedEXT(query)) {
-        uint record = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) +
-                           rayQueryGetIntersectionGeometryIndexEXT(query, false));
-        uint primitive = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
-        if (sceneOpaque(record, primitive, rayQueryGetIntersectionBarycentricsEXT(query, false))) {
-            rayQueryConfirmIntersectionEXT(query);
-        }
-    }
-    Hit hit = Hit(false, 0u, 0u, vec2(0.0));
-    if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT) return hit;
-    hit.found = true;
-    hit.record = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true) +
-                      rayQueryGetIntersectionGeometryIndexEXT(query, true));
-    hit.primitive = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true));
-    hit.barycentrics = rayQueryGetIntersectionBarycentricsEXT(query, true);
-    return hit;
 }
 
 #endif

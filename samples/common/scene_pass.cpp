@@ -1,4 +1,6 @@
-#include "common/compute_pass.h"
+#include "common/scene_pass.h"
+
+#include <cmath>
 
 namespace samples {
 namespace {
@@ -7,29 +9,36 @@ constexpr uint32_t kGroupSize = 8;
 
 }   // namespace
 
-ComputePass::ComputePass(const Device& device, const GpuScene& scene, std::span<const uint32_t> spirv,
-                         std::span<const VkImageView> images, uint32_t constantsSize,
-                         std::span<const VkBuffer> buffers)
-    : device_(device), scene_(scene) {
+PassShader tracingShader(const Device& device, std::span<const uint32_t> query, std::span<const uint32_t> raygen) {
+    return device.hasRayQuery() ? PassShader(query) : PassShader(raygen, true);
+}
+
+ScenePass::ScenePass(const Device& device, const GpuScene& scene, const PassShader& shader,
+                     std::span<const VkImageView> images, uint32_t constantsSize, std::span<const VkBuffer> buffers)
+    : device_(device),
+      scene_(scene),
+      stages_(shader.raygen ? VK_SHADER_STAGE_RAYGEN_BIT_KHR : VK_SHADER_STAGE_COMPUTE_BIT) {
     try {
         makeSet(images, buffers);
-        makePipeline(spirv, constantsSize);
+        makeLayout(constantsSize);
+        if (shader.raygen) launch_ = std::make_unique<RayLaunch>(device, layout_, shader.spirv);
+        else makePipeline(shader.spirv);
     } catch (...) {
         release();
         throw;
     }
 }
 
-ComputePass::~ComputePass() { release(); }
+ScenePass::~ScenePass() { release(); }
 
-void ComputePass::release() {
+void ScenePass::release() {
     vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
     vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
     vkDestroyDescriptorPool(device_.handle(), pool_, nullptr);
     vkDestroyDescriptorSetLayout(device_.handle(), setLayout_, nullptr);
 }
 
-void ComputePass::makeSet(std::span<const VkImageView> images, std::span<const VkBuffer> buffers) {
+void ScenePass::makeSet(std::span<const VkImageView> images, std::span<const VkBuffer> buffers) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     std::vector<VkDescriptorImageInfo> imageInfos;
     std::vector<VkDescriptorBufferInfo> bufferInfos;
@@ -38,7 +47,7 @@ void ComputePass::makeSet(std::span<const VkImageView> images, std::span<const V
         bindings.push_back({.binding = static_cast<uint32_t>(bindings.size()),
                             .descriptorType = type,
                             .descriptorCount = 1,
-                            .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT});
+                            .stageFlags = stages_});
         sizes.push_back({type, 1});
     };
     for (VkImageView view : images) {
@@ -79,15 +88,22 @@ void ComputePass::makeSet(std::span<const VkImageView> images, std::span<const V
     vkUpdateDescriptorSets(device_.handle(), static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
 
-void ComputePass::makePipeline(std::span<const uint32_t> spirv, uint32_t constantsSize) {
+VkPipelineStageFlags2 ScenePass::stage() const {
+    return launch_ ? VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+}
+
+void ScenePass::makeLayout(uint32_t constantsSize) {
     const VkDescriptorSetLayout sets[] = {setLayout_, scene_.setLayout()};
-    const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0, constantsSize};
+    const VkPushConstantRange range{stages_, 0, constantsSize};
     const VkPipelineLayoutCreateInfo layoutInfo{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                 .setLayoutCount = 2,
                                                 .pSetLayouts = sets,
                                                 .pushConstantRangeCount = 1,
                                                 .pPushConstantRanges = &range};
     check(vkCreatePipelineLayout(device_.handle(), &layoutInfo, nullptr, &layout_), "vkCreatePipelineLayout");
+}
+
+void ScenePass::makePipeline(std::span<const uint32_t> spirv) {
     const VkShaderModuleCreateInfo moduleInfo{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                               .codeSize = spirv.size_bytes(),
                                               .pCode = spirv.data()};
@@ -106,13 +122,21 @@ void ComputePass::makePipeline(std::span<const uint32_t> spirv, uint32_t constan
     check(result, "vkCreateComputePipelines");
 }
 
-void ComputePass::dispatch(VkCommandBuffer cmd, VkExtent2D extent,
-                           std::span<const std::byte> constants) const {
+// Groups of compute in a square: 65,535 are the most in a row.
+VkExtent2D ScenePass::listExtent(uint32_t items) const {
+    if (launch_) return {items, 1};
+    const double groups = std::ceil(double(items) / (kGroupSize * kGroupSize));
+    const auto side = static_cast<uint32_t>(std::ceil(std::sqrt(groups)));
+    return {kGroupSize * side, kGroupSize * side};
+}
+
+void ScenePass::run(VkCommandBuffer cmd, VkExtent2D extent, std::span<const std::byte> constants) const {
     const VkDescriptorSet sets[] = {set_, scene_.set()};
-    vkCmdBindPipeline(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
-    vkCmdBindDescriptorSets(cmd, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 2, sets, 0, nullptr);
-    vkCmdPushConstants(cmd, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, static_cast<uint32_t>(constants.size()),
-                       constants.data());
+    const VkPipelineBindPoint point = launch_ ? VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR : VK_PIPELINE_BIND_POINT_COMPUTE;
+    vkCmdBindDescriptorSets(cmd, point, layout_, 0, 2, sets, 0, nullptr);
+    vkCmdPushConstants(cmd, layout_, stages_, 0, static_cast<uint32_t>(constants.size()), constants.data());
+    if (launch_) return launch_->record(cmd, extent);
+    vkCmdBindPipeline(cmd, point, pipeline_);
     vkCmdDispatch(cmd, (extent.width + kGroupSize - 1) / kGroupSize,
                   (extent.height + kGroupSize - 1) / kGroupSize, 1);
 }

@@ -89,13 +89,14 @@ struct GiSettings {
         4;   // [1, 65536] lights tried at each vertex behind that; one of them gets a shadow ray
     float treeShare = 0.75f;   // as in DiSettings
     bool temporal = true;
-    // [0, 1000] frames a temporal reservoir may stand for. Things that move are followed as late as that
-    // where they are a path's second vertex or shade it.
+    // [0, 1000] frames a temporal reservoir may stand for. With Traced and FrameInput::previousTlas a second
+    // vertex counts while there is a surface where it is and its light is seen from there; else things that
+    // move are followed as late as that.
     uint32_t maxHistory = 8;
-    // [0, 1] In a frame that the host recorded other lights for, what is left of the history of light
-    // scattered three times and more: what such a path saw is not looked at again. Above 0: less noise, and
-    // light that changed is followed late. Light scattered twice is looked up in the new lights, and loses
-    // nothing.
+    // [0, 1] In a frame that the host recorded other lights for, or gave a previousTlas to, what is left of the
+    // history of light scattered three times and more: what such a path saw is not looked at again. Above 0: less
+    // noise, and what changed is followed late. Light scattered twice is looked up in the new lights and traced
+    // among what moved, and loses nothing.
     float staleHistory = 0;
     uint32_t spatialPasses = 1;     // [0, 8]
     uint32_t neighbours = 5;        // [1, 16] per spatial pass

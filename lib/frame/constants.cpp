@@ -76,6 +76,19 @@ gpu::RsDiConstants diConstants(const DiSettings& di, bool history, bool alternat
     return c;
 }
 
+// What traces then and now; FrameInput::previousTlas says of itself that things moved.
+struct Structures {
+    bool moved;
+    uint32_t root = 0, previousRoot = 0;   // of a Bvh
+};
+
+Structures structuresOf(const Session::Impl& s, const FrameInput& frame) noexcept {
+    if (s.context->rays != RayBackend::Software) return {frame.previousTlas && frame.previousTlas != frame.tlas};
+    const Bvh::Impl& bvh = Internals::of(*frame.bvh);
+    const bool moved = s.history.bvh == bvh.serial && s.history.bvhGeneration != bvh.generation;
+    return {moved, bvh.root(), moved ? bvh.previousRoot() : bvh.root()};
+}
+
 }   // namespace
 
 gpu::RsView makeView(const Camera& camera, VkExtent2D extent) noexcept {
@@ -141,13 +154,12 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
         c.gi.treeShare = settings.gi.treeShare;
     }
     c.giBounces = settings.gi.bounces;
-    c.giStale = lightsChanged ? settings.gi.staleHistory : 1.0f;
-    if (s.context->rays == RayBackend::Software) {
-        const Bvh::Impl& bvh = Internals::of(*frame.bvh);
-        const bool moved = s.history.bvh == bvh.serial && s.history.bvhGeneration != bvh.generation;
-        c.bvhRoot = bvh.root();
-        c.bvhPreviousRoot = moved ? bvh.previousRoot() : bvh.root();
-    }
+    const Structures structures = structuresOf(s, frame);
+    const bool moved = past && structures.moved;
+    if (moved) c.flags |= RS_FRAME_MOVED;
+    c.giStale = lightsChanged || moved ? settings.gi.staleHistory : 1.0f;
+    c.bvhRoot = structures.root;
+    c.bvhPreviousRoot = structures.previousRoot;
     return c;
 }
 

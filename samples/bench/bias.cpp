@@ -18,6 +18,7 @@ struct Options {
     double halfWidthPercent = 0;
     proof::Limits limits;
     proof::ReferenceQuality reference;
+    std::optional<restir::RayBackend> rays;
     bool keep = false, redo = false, validate = false;
 };
 
@@ -49,7 +50,7 @@ void run(const Options& options) {
     for (const proof::Row& row : plan.rows)
         samples::declareFor(samples::parseSettings(row.settings), session);
     samples::Device device({.validate = options.validate});
-    proof::Prover prover(device, load({.scene = options.scene}), plan.extent, session);
+    proof::Prover prover(device, load({.scene = options.scene}), plan.extent, session, {.rays = options.rays});
     std::fprintf(stderr, "%s, %ux%u, %s, commit %s\n", options.scene.c_str(), plan.extent.width,
                  plan.extent.height, device.driver().c_str(), proof::builtCommit());
     proof::run(plan, file, prover,
@@ -101,6 +102,7 @@ void addBias(CLI::App& app) {
                      "defaults with one thing changed; indirect: ReSTIR GI")
         ->type_name("NAME");
     addRows(*command, options->rows);
+    samples::addRays(*command, options->rays);
     command->add_option("--frames", options->frames, "of a sequence")->type_name("N");
     command->add_option("--warm-up", options->warmUp, "of them, not counted")->type_name("N");
     addLimits(*command, *options);

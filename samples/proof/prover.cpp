@@ -65,12 +65,12 @@ void roundMaterials(samples::SceneData& scene) {
 }
 
 Prover::Prover(samples::Device& device, samples::SceneData scene, VkExtent2D extent,
-               const restir::SessionDesc& session)
+               const restir::SessionDesc& session, const samples::LightingDesc& lighting)
     : device_(device), extent_(extent), black_(blackened(scene)) {
     roundMaterials(scene);
     view_ = scene.views.empty() ? samples::frameScene(scene) : scene.views[0];
     scene_ = std::make_unique<samples::GpuScene>(device, std::move(scene));
-    renderer_ = std::make_unique<samples::Renderer>(device, *scene_, extent, session);
+    renderer_ = std::make_unique<samples::Renderer>(device, *scene_, extent, session, lighting);
     reference_ = std::make_unique<samples::Reference>(device, *scene_, extent);
 }
 

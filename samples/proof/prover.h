@@ -18,7 +18,7 @@ class Prover {
 public:
     // `session` declares what the settings to come need. This and the rest throw std::runtime_error.
     Prover(samples::Device& device, samples::SceneData scene, VkExtent2D extent,
-           const restir::SessionDesc& session);
+           const restir::SessionDesc& session, const samples::LightingDesc& lighting = {});
 
     Take estimate(const Scenario& scenario, const restir::Settings& settings, uint32_t seed);
     // `paths` per pixel and picture. Where nothing changes it makes one picture for all frames.

@@ -20,10 +20,13 @@ void rsScaleGiReservoir(uint which, uint i, float factor) {
     rsGiReservoirs[at].at[i].z = floatBitsToUint(uintBitsToFloat(rsGiReservoirs[at].at[i].z) * factor);
 }
 float rsStaleShare() { return rsFrame.giStale; }
+bool rsMoved() { return (rsFrame.flags & RS_FRAME_MOVED) != 0u; }
 RsGiReservoir rsLoadGiSource(uvec2 pixel) { return rsLoadGiReservoir(rsPass.source, rsIndex(pixel)); }
-// The source buffer as the previous frame left it.
+// The source buffer as the previous frame left it, without what last frame's pixels count as unable to find: weights that do not
+// ask for a sample's own target would let that grow without end.
 RsGiReservoir rsLoadGiHistory(uvec2 pixel) {
     RsGiReservoir r = rsLoadGiReservoir(rsPass.source, rsPreviousIndex(pixel));
+    if (rsFrame.giStale == 0.0 && (r.surface.z & RS_GI_FOLLOWED) != 0u) r.ucw = 0.0;
     r.confidence = min(rsConfidence(r), rsFrame.gi.maxHistory) | (min(rsAge(r) + 1u, 0xffffu) << 16u);
     return r;
 }

@@ -275,6 +275,47 @@ TEST(Gi, LightThatGoesOutIsGoneAtOnce) {
     EXPECT_LT(echo, 0.5);
 }
 
+// Boxes that slide, turn and hop: second vertices on them go, shadows on the walls do, and light scattered more often.
+TEST(Gi, ThingsThatMoveAreFollowed) {
+    World world(room({.color = kAlbedo, .roughness = 1, .specular = 0}), kExtent);
+    samples::Sequence sequence{.view = world.view(), .frames = 10, .accumulate = true, .skip = 4, .jitter = false};
+    sequence.motion = [](float time, samples::SceneState& state) {
+        state.worldFromObject[1] = place({0.3f * std::sin(0.9f * time), 0.15f * std::abs(std::sin(0.7f * time)), 0}, 0.15f * std::sin(0.8f * time));
+    };
+    const ReferenceBlocks truth =
+        referenceFromSeeds(world.referenceSeeds(32, sequence, {.paths = 24, .bounces = kBounces, .direct = false}));
+    NamedSettings moving = named("moving", [](auto& gi) { gi.maxHistory = 8; });
+    moving.settings.di.mode = restir::DirectMode::Off;
+    Verdict verdict(1, 32);
+    SeedStatistics statistics;
+    for (sequence.seed = 1000; sequence.seed < 1032; ++sequence.seed) statistics.add(world.render(sequence, moving.settings));
+    verdict.add("gi moving", compare(statistics, truth));
+}
+
+// With weights that do not ask for a sample's own target, too, light of old lights does not feed on itself.
+TEST(Gi, ChangingLightsDoNotMultiply) {
+    samples::SceneData walls = room({.color = kAlbedo, .roughness = 1, .specular = 0});
+    samples::GpuScene scene(device(), walls);
+    HostView host(scene, walls.views[0], {.maxExtent = kExtent, .indirect = true});
+    const auto lastOf = [&](restir::Weights weights) {
+        restir::Settings settings = indirect();
+        settings.di.mode = restir::DirectMode::Off;
+        settings.gi.weights = weights;
+        double sum = 0;
+        for (uint32_t i = 0; i < 16; ++i) {
+            restir::FrameInput input = host.input(i);
+            input.resetHistory = i == 0;
+            host.upload(scene.lights());
+            const double frame = sumOf(host.frame(input, settings));
+            if (i >= 8) sum += frame;
+        }
+        return sum;
+    };
+    const double expected = lastOf(restir::Weights::PairwisePlain);
+    EXPECT_LT(lastOf(restir::Weights::Basic), 2 * expected);
+    EXPECT_LT(lastOf(restir::Weights::Off), 2 * expected);
+}
+
 TEST(Gi, NeedsItsMemoryDeclared) {
     World world(planeScene(), kExtent);
     samples::GpuScene scene(device(), planeScene());

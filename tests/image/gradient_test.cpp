@@ -13,6 +13,7 @@ using restir::Light;
 
 constexpr VkExtent2D kExtent{24, 24};
 constexpr uint32_t kMaxHistory = 4;
+constexpr double kRounding = 1e-6;   // of two evaluations that a compiler may order differently
 
 Light light(uint32_t id, float x, float power) {
     return {
@@ -95,10 +96,10 @@ TEST_F(Gradient, OneLightOfTwo) {
     for (int i = 0; i < 4; ++i) frame();
     host.upload(std::vector{light(1, 0.2f, 1)});
     EXPECT_NEAR(mean(frame()), 0.5, 0.07);
-    EXPECT_EQ(mean(frame()), 0);
+    EXPECT_LT(mean(frame()), kRounding);
     host.upload(std::vector{light(1, 0.2f, 1), light(2, 0.2f, 1)});
     EXPECT_NEAR(mean(frame()), 0.5, 0.07);
-    EXPECT_EQ(mean(frame()), 0);
+    EXPECT_LT(mean(frame()), kRounding);
 }
 
 TEST_F(Gradient, SeesABlockerArrive) {

@@ -274,7 +274,7 @@ TEST_F(Refusal, Contexts) {
 
 TEST_F(Refusal, ShadersOfAnotherVersion) {
     restir::ContextDesc desc = HostView::contextDesc();
-    restir::ShaderPack pack{.shaderAbi = RESTIR_SHADER_ABI + 1};
+    restir::ShaderPack pack{.shaderAbi = RESTIR_SHADER_ABI + 1, .modules = {}, .rays = desc.rays};
     desc.shaders = &pack;
     EXPECT_EQ(restir::Context::create(desc).error().status, Status::ShaderMismatch);
     pack.shaderAbi = RESTIR_SHADER_ABI;   // but without a single pass

@@ -81,6 +81,7 @@ RS_SHARED_END
 #define RS_FRAME_COUNT 64u
 #define RS_FRAME_DIFFUSE 128u   // output image is bound
 #define RS_FRAME_SPECULAR 256u
+#define RS_FRAME_MOVED 4096u          // geometry, since the previous frame, whose structure is bound
 #define RS_FRAME_INDIRECT_DIFFUSE 1024u   // output image is bound
 #define RS_FRAME_INDIRECT_SPECULAR 2048u
 #define RS_FRAME_INDIRECT 512u   // rsSurfacesFrame keeps emission and indirect light, rounded at random

@@ -68,6 +68,10 @@ uint rsPackShares(vec3 shares, vec3 u) {
 }
 vec3 rsUnpackShares(uint bits) { return vec3(uvec3(bits, bits >> 10u, bits >> 20u) & 1023u) / 1023.0; }
 
+// 4 x 8 bits. Unlike unpackUnorm4x8 the product is rounded correctly everywhere: 255 is 1, and no light is left in the diffuse lobe
+// of a metal.
+vec4 rsUnpackUnorm8(uint bits) { return vec4(uvec4(bits, bits >> 8u, bits >> 16u, bits >> 24u) & 255u) * (1.0 / 255.0); }
+
 // [0, 1]^2 in 2 x 16 bits.
 uint rsPackUv(vec2 uv) { return packUnorm2x16(uv); }
 vec2 rsUnpackUv(uint bits) { return unpackUnorm2x16(bits); }

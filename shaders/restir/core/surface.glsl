@@ -55,7 +55,7 @@ RsSurface rsUnpackSurface(RsPackedSurface p, vec3 position, vec3 view) {
     s.normal = rsUnpackNormal(p.geometry.y);
     s.geometricNormal = rsUnpackNormal(p.geometry.z);
     s.baseColor = rsUnpackColor(p.geometry.w);
-    vec4 material = unpackUnorm4x8(p.material.x);
+    vec4 material = rsUnpackUnorm8(p.material.x);
     s.roughness = material.x;
     s.metalness = material.y;
     s.specular = material.z;

@@ -10,6 +10,9 @@ RsDirect rsEvaluate(RsSurface s, RsReservoir r, bool previous) {
     return rsDirect(s, light, r.uv);
 }
 
+// Between frames: whether the sample is one of the scene's then or now, apart from what the target says. Lights have no other place.
+bool rsStands(RsReservoir r, bool previous) { return true; }
+
 // The same sample with another weight.
 RsReservoir rsKeep(RsReservoir r, float ucw, uint confidence) {
     return rsMakeReservoir(r.light, r.uv, ucw, confidence, rsAge(r));

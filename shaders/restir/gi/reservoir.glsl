@@ -22,7 +22,8 @@
 // Least distance of two vertices, as a part of the larger coordinate: below it the direction is rounding.
 #define RS_GI_LEAST_DISTANCE 1e-5
 
-float rsStaleShare();   // hook of the passes: RsFrame::giStale
+float rsStaleShare();   // hooks of the passes: RsFrame::giStale
+bool rsMoved();         // RS_FRAME_MOVED
 
 bool rsHasSample(RsGiReservoir r) { return r.ucw > 0.0; }
 uint rsConfidence(RsGiReservoir r) { return r.confidence & 0xffffu; }
@@ -87,9 +88,8 @@ RsIncident rsSeeVertex(RsGiReservoir r, vec3 receiver) {
     return RsIncident(direction, distance, vec3(0.0), solidAngle);
 }
 
-// Vertices are where they were found. What a path found behind x2 is old news where lights have changed: it counts as if last
-// frame's pixels had hardly been able to find it (a proxy for p^ there, the same for all that asks; section 4), which leaves it to
-// fresh paths.
+// What a path found behind x2 is old news where lights or geometry have changed: it counts as if last frame's pixels had hardly
+// been able to find it (a proxy for p^ there, the same for all that asks; section 4), which leaves it to fresh paths.
 RsDirect rsEvaluate(RsSurface s, RsGiReservoir r, bool previous) {
     RsIncident incident = rsSeeVertex(r, rsRayOrigin(s));
     if (incident.solidAngle > 0.0)
@@ -97,6 +97,19 @@ RsDirect rsEvaluate(RsSurface s, RsGiReservoir r, bool previous) {
     RsDirect direct = rsReflect(s, incident);
     if (previous && (r.surface.z & RS_GI_FOLLOWED) != 0u) direct.target *= rsStaleShare();
     return direct;
+}
+
+// Between frames, where things move: whether a path of the other frame could have come to x2, so that both frames' targets are
+// of what each can sample. x2 must be on a surface, which it may have been on alone, and the light's point be seen from it.
+bool rsStands(RsGiReservoir r, bool previous) {
+    if (!rsMoved()) return true;
+    vec3 normal = rsUnpackNormal(r.geometricNormal), size = abs(r.position);
+    float offset = RS_ORIGIN_OFFSET * max(size.x, max(size.y, size.z));
+    if (!rsOccluded(r.position + offset * normal, -normal, 2.0 * offset, previous)) return false;
+    if ((r.surface.z & RS_GI_FOLLOWED) != 0u) return true;
+    RsSurface x2 = rsVertexSeen(r, normal);
+    RsPackedLight light = previous ? rsLoadPreviousLight(r.arrival.x) : rsLoadLight(r.arrival.x);
+    return rsUnoccluded(x2, rsIncident(light, r.arrival.y, rsRayOrigin(x2)), previous);
 }
 
 #endif

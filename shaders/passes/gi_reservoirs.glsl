@@ -20,7 +20,9 @@ void rsScaleGiReservoir(uint which, uint i, float factor) {
     rsGiReservoirs[at].at[i].z = floatBitsToUint(uintBitsToFloat(rsGiReservoirs[at].at[i].z) * factor);
 }
 float rsStaleShare() { return rsFrame.giStale; }
-bool rsMoved() { return (rsFrame.flags & RS_FRAME_MOVED) != 0u; }
+#ifndef RS_PASS_TEMPORAL
+bool rsStands(bool previous) { return true; }   // all of one frame
+#endif
 RsGiReservoir rsLoadGiSource(uvec2 pixel) { return rsLoadGiReservoir(rsPass.source, rsIndex(pixel)); }
 // The source buffer as the previous frame left it, without what last frame's pixels count as unable to find: weights that do not
 // ask for a sample's own target would let that grow without end.

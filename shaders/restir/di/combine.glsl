@@ -142,8 +142,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
         RsDirect direct = rsEvaluate(at, sampled, previous);
         bool itsOwn = !sampling && !pairwise && sums.selection.source == int(i);
         bool counts = direct.target > 0.0;
-        if (counts && traced && !itsOwn)
-            counts = rsUnoccluded(at, direct.incident, previous) && (!n.previous || rsStands(sampled, previous));
+        if (counts && traced && !itsOwn) counts = rsIsSeen(at, sampled, direct.incident, previous);
 
         float c = float(rsConfidence(n.reservoir));
         float there = counts ? direct.target : 0.0;

@@ -10,8 +10,8 @@ RsDirect rsEvaluate(RsSurface s, RsReservoir r, bool previous) {
     return rsDirect(s, light, r.uv);
 }
 
-// Between frames: whether the sample is one of the scene's then or now, apart from what the target says. Lights have no other place.
-bool rsStands(RsReservoir r, bool previous) { return true; }
+// V of the sample at another surface: a ray.
+bool rsIsSeen(RsSurface s, RsReservoir r, RsIncident incident, bool previous) { return rsUnoccluded(s, incident, previous); }
 
 // The same sample with another weight.
 RsReservoir rsKeep(RsReservoir r, float ucw, uint confidence) {

@@ -22,8 +22,9 @@
 // Least distance of two vertices, as a part of the larger coordinate: below it the direction is rounding.
 #define RS_GI_LEAST_DISTANCE 1e-5
 
-float rsStaleShare();   // hooks of the passes: RsFrame::giStale
-bool rsMoved();         // RS_FRAME_MOVED
+// Hooks of the passes: RsFrame::giStale; whether the sample that is asked for could have been found in that frame (stands.glsl).
+float rsStaleShare();
+bool rsStands(bool previous);
 
 bool rsHasSample(RsGiReservoir r) { return r.ucw > 0.0; }
 uint rsConfidence(RsGiReservoir r) { return r.confidence & 0xffffu; }
@@ -99,17 +100,9 @@ RsDirect rsEvaluate(RsSurface s, RsGiReservoir r, bool previous) {
     return direct;
 }
 
-// Between frames, where things move: whether a path of the other frame could have come to x2, so that both frames' targets are
-// of what each can sample. x2 must be on a surface, which it may have been on alone, and the light's point be seen from it.
-bool rsStands(RsGiReservoir r, bool previous) {
-    if (!rsMoved()) return true;
-    vec3 normal = rsUnpackNormal(r.geometricNormal), size = abs(r.position);
-    float offset = RS_ORIGIN_OFFSET * max(size.x, max(size.y, size.z));
-    if (!rsOccluded(r.position + offset * normal, -normal, 2.0 * offset, previous)) return false;
-    if ((r.surface.z & RS_GI_FOLLOWED) != 0u) return true;
-    RsSurface x2 = rsVertexSeen(r, normal);
-    RsPackedLight light = previous ? rsLoadPreviousLight(r.arrival.x) : rsLoadLight(r.arrival.x);
-    return rsUnoccluded(x2, rsIncident(light, r.arrival.y, rsRayOrigin(x2)), previous);
+// V of the path to x2, which the pass may know not to be there.
+bool rsIsSeen(RsSurface s, RsGiReservoir r, RsIncident incident, bool previous) {
+    return rsStands(previous) && rsUnoccluded(s, incident, previous);
 }
 
 #endif

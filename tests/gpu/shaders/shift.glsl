@@ -35,7 +35,7 @@ RsAliasEntry rsLoadAlias(uint column) { return RsAliasEntry(0u, 0u); }
 bool rsOccluded(vec3 origin, vec3 direction, float tmax, bool previous) { return false; }
 void rsOnRejectedWeight() {}
 float rsStaleShare() { return 1.0; }
-bool rsMoved() { return false; }
+bool rsStands(bool previous) { return true; }
 
 Seen see(RsGiReservoir r, vec3 receiver) {
     RsIncident incident = rsSeeVertex(r, receiver);

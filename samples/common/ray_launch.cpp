@@ -6,6 +6,8 @@
 #include <miss.spv.h>
 #include <trace_any.spv.h>
 
+#include "common/shader_module.h"
+
 namespace samples {
 namespace {
 
@@ -21,15 +23,6 @@ VkDeviceSize roundUp(VkDeviceSize value, VkDeviceSize unit) { return (value + un
 template <class Function>
 Function function(const Device& device, const char* name) {
     return reinterpret_cast<Function>(vkGetDeviceProcAddr(device.handle(), name));
-}
-
-VkShaderModule makeModule(const Device& device, std::span<const uint32_t> spirv) {
-    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                        .codeSize = spirv.size_bytes(),
-                                        .pCode = spirv.data()};
-    VkShaderModule module = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(device.handle(), &info, nullptr, &module), "vkCreateShaderModule");
-    return module;
 }
 
 }   // namespace
@@ -55,7 +48,7 @@ void RayLaunch::makePipeline(VkPipelineLayout layout, std::span<const uint32_t> 
     for (const Stage& shader : shaders)
         stages.push_back({.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                           .stage = shader.stage,
-                          .module = makeModule(device_, shader.spirv),
+                          .module = makeShaderModule(device_, shader.spirv),
                           .pName = "main"});
     std::array<VkRayTracingShaderGroupCreateInfoKHR, kGroups> groups;
     for (uint32_t i = 0; i < kGroups; ++i) {

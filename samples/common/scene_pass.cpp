@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/shader_module.h"
+
 namespace samples {
 namespace {
 
@@ -22,7 +24,7 @@ ScenePass::ScenePass(const Device& device, const GpuScene& scene, const PassShad
         makeSet(images, buffers);
         makeLayout(constantsSize);
         if (shader.raygen) launch_ = std::make_unique<RayLaunch>(device, layout_, shader.spirv);
-        else makePipeline(shader.spirv);
+        else pipeline_ = makeComputePipeline(device, layout_, shader.spirv);
     } catch (...) {
         release();
         throw;
@@ -101,25 +103,6 @@ void ScenePass::makeLayout(uint32_t constantsSize) {
                                                 .pushConstantRangeCount = 1,
                                                 .pPushConstantRanges = &range};
     check(vkCreatePipelineLayout(device_.handle(), &layoutInfo, nullptr, &layout_), "vkCreatePipelineLayout");
-}
-
-void ScenePass::makePipeline(std::span<const uint32_t> spirv) {
-    const VkShaderModuleCreateInfo moduleInfo{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                              .codeSize = spirv.size_bytes(),
-                                              .pCode = spirv.data()};
-    VkShaderModule module = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(device_.handle(), &moduleInfo, nullptr, &module), "vkCreateShaderModule");
-    const VkComputePipelineCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-        .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                  .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                  .module = module,
-                  .pName = "main"},
-        .layout = layout_};
-    const VkResult result =
-        vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
-    vkDestroyShaderModule(device_.handle(), module, nullptr);
-    check(result, "vkCreateComputePipelines");
 }
 
 // Groups of compute in a square: 65,535 are the most in a row.

@@ -46,7 +46,6 @@ public:
 private:
     void makeSet(std::span<const VkImageView> images, std::span<const VkBuffer> buffers);
     void makeLayout(uint32_t constantsSize);
-    void makePipeline(std::span<const uint32_t> spirv);
     VkExtent2D listExtent(uint32_t items) const;
     void run(VkCommandBuffer cmd, VkExtent2D extent, std::span<const std::byte> constants) const;
     void release();

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "common/gpu_memory.h"
+#include "common/shader_module.h"
 
 namespace tests {
 namespace {
@@ -20,7 +21,7 @@ samples::Device& gpu() {
 
 Kernel::Kernel(std::span<const uint32_t> spirv, uint32_t argumentCount) {
     makeLayouts(argumentCount);
-    makePipeline(spirv);
+    pipeline_ = samples::makeComputePipeline(gpu(), layout_, spirv);
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, argumentCount};
     const VkDescriptorPoolCreateInfo poolInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                               .maxSets = 1,
@@ -55,24 +56,6 @@ void Kernel::makeLayouts(uint32_t argumentCount) {
                                                 .setLayoutCount = 1,
                                                 .pSetLayouts = &setLayout_};
     check(vkCreatePipelineLayout(device(), &layoutInfo, nullptr, &layout_), "vkCreatePipelineLayout");
-}
-
-void Kernel::makePipeline(std::span<const uint32_t> spirv) {
-    const VkShaderModuleCreateInfo moduleInfo{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                              .codeSize = spirv.size_bytes(),
-                                              .pCode = spirv.data()};
-    VkShaderModule module = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(device(), &moduleInfo, nullptr, &module), "vkCreateShaderModule");
-    const VkComputePipelineCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-        .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                  .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                  .module = module,
-                  .pName = "main"},
-        .layout = layout_};
-    const VkResult result = vkCreateComputePipelines(device(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
-    vkDestroyShaderModule(device(), module, nullptr);
-    check(result, "vkCreateComputePipelines");
 }
 
 void Kernel::run(uint32_t groups, std::initializer_list<Argument> arguments) const {

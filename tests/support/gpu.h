@@ -41,7 +41,6 @@ public:
 
 private:
     void makeLayouts(uint32_t argumentCount);
-    void makePipeline(std::span<const uint32_t> spirv);
 
     VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;

@@ -25,24 +25,39 @@ uint64_t parseCount(std::string_view name, std::string_view key, std::string_vie
     return value;
 }
 
-build::StreetSize parseStreet(std::string_view name, std::string_view query) {
-    build::StreetSize size;
+// "key=value&...": calls `take` with both of each.
+template <class Take>
+void eachParameter(std::string_view query, const Take& take) {
     while (!query.empty()) {
         const std::string_view pair = query.substr(0, query.find('&'));
         query.remove_prefix(std::min(query.size(), pair.size() + 1));
         const size_t equals = pair.find('=');
-        const std::string_view key = pair.substr(0, equals);
-        const std::string_view value = equals == std::string_view::npos ? "" : pair.substr(equals + 1);
+        take(pair.substr(0, equals), equals == std::string_view::npos ? "" : pair.substr(equals + 1));
+    }
+}
+
+build::StreetSize parseStreet(std::string_view name, std::string_view query) {
+    build::StreetSize size;
+    eachParameter(query, [&](std::string_view key, std::string_view value) {
         if (key == "triangles")
             size.triangles = parseCount(name, key, value);
         else if (key == "emissive")
             size.emissive = parseCount(name, key, value);
         else
             fail(name, "unknown key '" + std::string{key} + "', known: triangles, emissive");
-    }
+    });
     if (size.triangles == 0) fail(name, "triangles must be at least 1");
     if (size.emissive > size.triangles) fail(name, "more emissive triangles than triangles");
     return size;
+}
+
+std::string_view parseLamps(std::string_view name, std::string_view query) {
+    std::string_view kind = "all";
+    eachParameter(query, [&](std::string_view key, std::string_view value) {
+        if (key != "kind") fail(name, "unknown key '" + std::string{key} + "', known: kind");
+        kind = value;
+    });
+    return kind;
 }
 
 }   // namespace
@@ -52,7 +67,9 @@ SceneData makeBuiltin(std::string_view name) {
     const std::string_view kind = name.substr(0, mark);
     const std::string_view query = mark == std::string_view::npos ? "" : name.substr(mark + 1);
     if (kind == "street") return build::makeStreet(parseStreet(name, query));
-    if (kind != "cornell" && kind != "market" && kind != "city") fail(name, "unknown, known: cornell, market, city, street");
+    if (kind == "lamps") return build::makeLamps(parseLamps(name, query));
+    if (kind != "cornell" && kind != "market" && kind != "city")
+        fail(name, "unknown, known: cornell, market, city, street, lamps");
     if (!query.empty()) fail(name, "takes no parameters, got '" + std::string{query} + "'");
     if (kind == "city") return build::makeCity();
     return kind == "cornell" ? build::makeCornell() : build::makeMarket();

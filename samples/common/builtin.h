@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "scene.h"
 
@@ -21,5 +23,11 @@ struct StreetSize {
     uint64_t triangles = 2826672, emissive = 20658;   // exact, instances counted
 };
 SceneData makeStreet(const StreetSize& size);
+
+
+// A few boxes under lamps of one kind, or under one of each: "triangle", "sphere" ..., "all". Throws
+// std::runtime_error that names them all.
+SceneData makeLamps(std::string_view kind);
+std::span<const std::string_view> lampKinds();
 
 }   // namespace samples::build

@@ -121,7 +121,7 @@ Motion findMotion(const SceneData& scene, std::string_view animation);
 // extension, primitive kind or feature that was skipped.
 SceneData loadGltf(const std::string& path, std::vector<std::string>& warnings);
 
-// "cornell", "market", "street?triangles=2826672&emissive=20658". Throws std::runtime_error on unknown names.
+// "cornell", "market", "street?triangles=2826672&emissive=20658", "lamps?kind=sphere". Throws std::runtime_error on unknown names.
 SceneData makeBuiltin(std::string_view name);
 
 // A file, or builtin:NAME.

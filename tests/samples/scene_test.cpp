@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/builtin.h"
 #include "common/scene_lights.h"
 #include "common/sort_triangles.h"
 #include "samples/gltf_file.h"
@@ -109,6 +110,93 @@ TEST(Scene, StreetCountsAreExact) {
     }
 }
 
+struct LampsOf {
+    const char* kind;
+    std::vector<std::pair<restir::LightKind, size_t>> lights;
+    bool textured = false;
+};
+const std::vector<LampsOf>& lamps() {
+    using enum restir::LightKind;
+    static const std::vector<LampsOf> kLamps = {
+        {"triangle", {{Triangle, 9}}},
+        {"textured", {{Triangle, 18}}, true},
+        {"sphere", {{Sphere, 9}}},
+        {"disk", {{Disk, 9}}},
+        {"rectangle", {{Rectangle, 9}}},
+        {"capsule", {{Capsule, 9}}},
+        {"point", {{Point, 9}}},
+        {"spot", {{Spot, 9}}},
+        {"profile", {{Point, 5}, {Spot, 4}}, true},
+        {"directional", {{Directional, 4}}},
+        {"environment", {{Environment, 1}}, true},
+        {"all",
+         {{Triangle, 3},
+          {Sphere, 1},
+          {Disk, 1},
+          {Rectangle, 1},
+          {Capsule, 1},
+          {Point, 2},
+          {Spot, 1},
+          {Directional, 1},
+          {Environment, 1}}},
+    };
+    return kLamps;
+}
+
+TEST(Scene, LampsAreOfTheirKind) {
+    for (const LampsOf& wanted : lamps()) {
+        SCOPED_TRACE(wanted.kind);
+        const SceneData scene = load(std::string("builtin:lamps?kind=") + wanted.kind);
+        expectSound(scene);
+        EXPECT_FALSE(scene.views.empty());
+        const auto lights = samples::makeSceneLights(scene).lights;
+        size_t all = 0;
+        for (const auto& [kind, count] : wanted.lights) {
+            EXPECT_EQ(std::ranges::count(lights, kind, &restir::Light::kind), ptrdiff_t(count));
+            all += count;
+        }
+        EXPECT_EQ(lights.size(), all);
+        const auto textured = [](const restir::Light& light) { return light.texture != RS_NO_TEXTURE; };
+        EXPECT_TRUE(!wanted.textured || std::ranges::all_of(lights, textured));
+    }
+    EXPECT_EQ(samples::build::lampKinds().size(), lamps().size());
+    EXPECT_EQ(load("builtin:lamps").name, load("builtin:lamps?kind=all").name);
+}
+
+float farthest(const float (&a)[3], const float (&b)[3]) {
+    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+// Lamps stay what they are while they move, and none jumps.
+TEST(Scene, LampsMove) {
+    for (const std::string_view kind : samples::build::lampKinds()) {
+        SCOPED_TRACE(kind);
+        const SceneData scene = load("builtin:lamps?kind=" + std::string(kind));
+        const samples::SceneLights rest = samples::makeSceneLights(scene);
+        const samples::Motion motion = samples::findMotion(scene, "lights");
+        const auto at = [&](float time) {
+            samples::SceneState state = samples::restOf(scene);
+            motion(time, state);
+            return samples::lightsAt(rest, state);
+        };
+        for (float time = -32; time < 0; ++time) {
+            const auto before = at(time), after = at(time + 1);
+            ASSERT_EQ(before.size(), rest.lights.size());
+            ASSERT_EQ(after.size(), before.size());
+            for (size_t i = 0; i < after.size(); ++i) {
+                EXPECT_EQ(after[i].kind, before[i].kind);
+                EXPECT_EQ(after[i].texture, rest.lights[i].texture);
+                const float turned = std::abs(after[i].rotation[1] - before[i].rotation[1]) +
+                                     std::abs(after[i].rotation[3] - before[i].rotation[3]);
+                EXPECT_GT(farthest(after[i].position, before[i].position) +
+                              farthest(after[i].direction, before[i].direction) + turned,
+                          1e-3f);
+                EXPECT_LT(farthest(after[i].position, before[i].position), 0.15f);
+            }
+        }
+    }
+}
+
 TEST(Scene, BuiltinMistakesAreNamed) {
     expectError("builtin:nowhere", "nowhere");
     expectError("builtin:", "builtin");
@@ -118,6 +206,9 @@ TEST(Scene, BuiltinMistakesAreNamed) {
     expectError("builtin:street?triangles=0", "triangles");
     expectError("builtin:street?triangles=10&emissive=11", "emissive");
     expectError("builtin:cornell?triangles=3", "triangles=3");
+    expectError("builtin:lamps?kind=neon", "neon");
+    expectError("builtin:lamps?kind=", "environment");
+    expectError("builtin:lamps?lamp=sphere", "lamp");
 }
 
 TEST(Scene, FilesThatAreNotThere) {

@@ -11,7 +11,7 @@ namespace {
 struct Options {
     std::string json;
     double halfWidthPercent = 0.5;
-    bool details = false;
+    bool details = false, byScene = false;
 };
 
 }   // namespace
@@ -30,9 +30,12 @@ void addTable(CLI::App& app) {
     command->add_flag(
         "--details", options->details,
         "also channels, the last frame alone, error, temporal correlation and time of each cell");
+    command->add_flag("--scenes", options->byScene, "a table of its scenes for each row");
     command->callback([options] {
         const proof::ProofFile file(options->json, false);
-        const proof::Table table = proof::tabulate(file, options->halfWidthPercent / 100);
+        const proof::Table table =
+            proof::tabulate(file, options->halfWidthPercent / 100,
+                            options->byScene ? proof::Lines::Scenes : proof::Lines::Rows);
         if (table.summaries.empty())
             throw std::runtime_error(options->json + ": no cell has enough sequences yet");
         std::printf("%s", proof::biasTable(table).c_str());

@@ -27,16 +27,19 @@ Item& findOrAdd(std::vector<Item>& items, const Is& is) {
     return found != items.end() ? *found : items.emplace_back();
 }
 
-void place(Table& table, const Entry& entry) {
+void place(Table& table, const Entry& entry, Lines lines) {
     const Subject& subject = entry.cell->subject;
-    const std::string title = format("%s, %ux%u", subject.scene.c_str(), subject.width, subject.height);
+    const bool byScene = lines == Lines::Scenes;
+    const std::string& head = byScene ? subject.row : subject.scene;
+    const std::string& name = byScene ? subject.scene : subject.row;
+    const std::string title = format("%s, %ux%u", head.c_str(), subject.width, subject.height);
     Summary& summary = findOrAdd(table.summaries, [&](const Summary& s) { return s.title == title; });
     summary.title = title;
     if (std::find(summary.scenarios.begin(), summary.scenarios.end(), subject.scenario) ==
         summary.scenarios.end())
         summary.scenarios.push_back(subject.scenario);
-    SummaryRow& row = findOrAdd(summary.rows, [&](const SummaryRow& r) { return r.name == subject.row; });
-    row.name = subject.row;
+    SummaryRow& row = findOrAdd(summary.rows, [&](const SummaryRow& r) { return r.name == name; });
+    row.name = name;
     row.settings = subject.settings;
     row.entries[subject.scenario] = entry;
 }
@@ -99,7 +102,7 @@ std::string detailText(const SummaryRow& row, const std::string& scenario, const
 
 }   // namespace
 
-Table tabulate(const ProofFile& file, double halfWidth) {
+Table tabulate(const ProofFile& file, double halfWidth, Lines lines) {
     Table table{.halfWidth = halfWidth};
     std::vector<Entry> entries;
     std::set<std::string> commits;
@@ -116,7 +119,7 @@ Table tabulate(const ProofFile& file, double halfWidth) {
         const Bounds bounds{.hypotheses = table.hypotheses, .halfWidth = halfWidth};
         entry.judgement = judge(entry.judgement.agreement, double(entry.cell->sequences()) - 1, bounds);
         table.zBound = std::max(table.zBound, entry.judgement.zBound);
-        place(table, entry);
+        place(table, entry, lines);
     }
     for (Summary& summary : table.summaries)
         for (SummaryRow& row : summary.rows) conclude(row);

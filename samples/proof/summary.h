@@ -1,4 +1,4 @@
-// A bias table: each scene's rows by its scenarios.
+// A bias table: each scene's rows by its scenarios, or a row's scenes.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ struct Entry {
 };
 
 struct SummaryRow {
-    std::string name, settings;
+    std::string name, settings;                    // the former a row's or a scene's
     std::map<std::string, Entry> entries;          // by scenario
     double worstZ = 0;                             // of all its hypotheses
     double meanSquare = 0, meanSquareSpread = 0;   // of the z of all its blocks
@@ -22,7 +22,7 @@ struct SummaryRow {
 };
 
 struct Summary {
-    std::string title;   // scene and size
+    std::string title;   // scene or row, and size
     std::vector<std::string> scenarios;
     std::vector<SummaryRow> rows;
 };
@@ -34,8 +34,9 @@ struct Table {
     double halfWidth = 0;   // asked of an unbiased one
     std::string commits;    // that made it
 };
+enum class Lines { Rows, Scenes };   // what the lines of a summary are
 // Cells with less than kLeastSequences are left out. Borrows `file`.
-Table tabulate(const ProofFile& file, double halfWidth);
+Table tabulate(const ProofFile& file, double halfWidth, Lines lines = Lines::Rows);
 
 // Markdown.
 std::string biasTable(const Table& table);

@@ -292,6 +292,24 @@ TEST_F(ProofFiles, TablesSayWhatIsBiased) {
     EXPECT_EQ(tabulate(file, 0.001).summaries[0].rows[0].verdict, Verdict::Open);
 }
 
+TEST_F(ProofFiles, TablesOfScenes) {
+    ProofFile file(path("scenes.json"));
+    makeReference(file);
+    addPairs(file, "right", 0, 0, 40);
+    for (const char* scene : {"builtin:some", "builtin:other"}) {
+        file.references.push_back(file.references[0]);
+        file.references.back().subject.scene = scene;
+        file.cells.push_back(file.cells[0]);
+        file.cells.back().subject.scene = scene;
+    }
+    EXPECT_EQ(tabulate(file, 0.02).summaries.size(), 3u);
+    const Table table = tabulate(file, 0.02, Lines::Scenes);
+    ASSERT_EQ(table.summaries.size(), 1u);
+    EXPECT_TRUE(table.summaries[0].title.starts_with("right, ")) << table.summaries[0].title;
+    ASSERT_EQ(table.summaries[0].rows.size(), 3u);
+    EXPECT_EQ(table.summaries[0].rows[2].name, "builtin:other");
+}
+
 TEST_F(ProofFiles, BrokenOnesAreNamed) {
     std::ofstream(path("broken.json")) << "{\"format\": 1, \"references\": [";
     try {

@@ -57,6 +57,7 @@ public:
     void run() {
         for (const Scenario& scenario : plan_.scenarios)
             for (const Transport& transport : transports_) makeReference(scenario, transport);
+        start_ = Clock::now();
         bool some = true;
         while (some && !late()) {
             some = false;
@@ -172,7 +173,8 @@ private:
     Prover& prover_;
     const std::function<void(const std::string&)>& say_;
     std::vector<Transport> transports_;   // of the plan's rows
-    Clock::time_point start_ = Clock::now(), saved_ = start_;
+    Clock::time_point start_ = Clock::now();   // of the cells
+    Clock::time_point saved_ = start_;
 };
 
 }   // namespace

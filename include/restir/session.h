@@ -10,10 +10,10 @@ namespace restir {
 
 struct SessionDesc {
     VkExtent2D maxExtent = {0, 0};   // pixels; the largest FrameInput::extent
-    // The most DiSettings::neighbours of a frame with DiSettings::pairedNeighbours, at most 16; 0: no such frames. Takes
-    // 4 (n / 2 + 1) bytes a pixel, n / 2 rounded down, and limits maxExtent where that is more than 16.
+    // The most neighbours of a frame with DiSettings::pairedNeighbours or GiSettings::pairedNeighbours, at most 16; 0: no such
+    // frames. Takes 4 (n / 2 + 1) bytes a pixel, n / 2 rounded down, and limits maxExtent where that is more than 16.
     uint32_t pairedNeighbours = 0;
-    // Frames may have GiSettings::mode Restir. Takes 64 bytes a pixel.
+    // Frames may have GiSettings::mode Restir. Takes 96 bytes a pixel.
     bool indirect = false;
     // Measuring only: frames with Settings::counters keep up to so many rays (32 bytes each) in rayLog().
     uint32_t rayLogCapacity = 0;
@@ -52,7 +52,7 @@ enum class Resource : uint8_t {
     PreviousSurfaces,
     ReservoirsA,
     ReservoirsB,
-    Notes,   // of di.pair_targets for di.pair_spatial
+    Notes,   // of pair_targets for pair_spatial, of either kind of light
     GiReservoirsA,
     GiReservoirsB,
     Outputs,

@@ -101,6 +101,7 @@ struct GiSettings {
     uint32_t spatialPasses = 1;     // [0, 8]
     uint32_t neighbours = 5;        // [1, 16] per spatial pass
     float radius = 30.0f;           // pixels, > 0
+    bool pairedNeighbours = false;  // as in DiSettings; both use the same memory
     float normalThreshold = 0.9f;   // as in DiSettings
     float depthThreshold = 0.1f;
     // As in DiSettings. Where nobody around is on a pixel's surface, it traces a path of its own.
@@ -153,6 +154,8 @@ constexpr GiSettings presetIndirect(Preset preset) noexcept {
     if (preset == Preset::Fast) {
         gi.checkerboard = true;
         gi.visibility = VisibilityReuse::Cached;
+    } else {
+        gi.pairedNeighbours = true;
     }
     if (preset == Preset::Quality) gi.neighbours = kPresetPartners;
     if (preset != Preset::Unbiased) gi.boilingFilter = 0.5f;

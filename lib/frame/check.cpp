@@ -55,7 +55,7 @@ struct RangeCheck {
     }
     // What any kind of reuse has.
     template <class S>
-    Status reuse(const S& s) const noexcept {
+    Status reuse(const S& s, const SessionDesc& desc) const noexcept {
         if (Status status = within("lightCandidates", s.lightCandidates, 1, 65536); status != Status::Ok)
             return status;
         if (!(s.treeShare >= 0 && s.treeShare <= 0.9f))
@@ -80,13 +80,16 @@ struct RangeCheck {
             return refuse(sink, "restir: %s::visibility is %d", of, int(s.visibility));
         if (!(s.boilingFilter >= 0 && s.boilingFilter <= 1))
             return refuse(sink, "restir: %s::boilingFilter is %g, must be in [0, 1]", of, double(s.boilingFilter));
+        if (s.pairedNeighbours && s.neighbours > desc.pairedNeighbours)
+            return refuse(sink, "restir: %s::pairedNeighbours with %u neighbours, SessionDesc::pairedNeighbours is %u", of,
+                          s.neighbours, desc.pairedNeighbours);
         return Status::Ok;
     }
 };
 
-Status checkSettings(const MessageSink& sink, const DiSettings& di) noexcept {
+Status checkSettings(const MessageSink& sink, const DiSettings& di, const SessionDesc& desc) noexcept {
     const RangeCheck check{sink, "DiSettings"};
-    if (Status s = check.reuse(di); s != Status::Ok) return s;
+    if (Status s = check.reuse(di, desc); s != Status::Ok) return s;
     if (Status s = check.within("initialSamples", di.initialSamples, 1, 8); s != Status::Ok) return s;
     if (Status s = check.within("cutSamples", di.cutSamples, 1, 8); s != Status::Ok) return s;
     if (Status s = check.within("bsdfCandidates", di.bsdfCandidates, 0, 8); s != Status::Ok) return s;
@@ -99,7 +102,7 @@ Status checkSettings(const MessageSink& sink, const GiSettings& gi, const Sessio
     if (gi.mode > IndirectMode::Restir) return refuse(sink, "restir: GiSettings::mode is %d", int(gi.mode));
     if (gi.mode == IndirectMode::Restir && !desc.indirect)
         return refuse(sink, "restir: GiSettings::mode is Restir, SessionDesc::indirect is false");
-    if (Status s = check.reuse(gi); s != Status::Ok) return s;
+    if (Status s = check.reuse(gi, desc); s != Status::Ok) return s;
     if (Status s = check.within("bounces", gi.bounces, 2, 64); s != Status::Ok) return s;
     if (!(gi.staleHistory >= 0 && gi.staleHistory <= 1))
         return refuse(sink, "restir: GiSettings::staleHistory is %g, must be in [0, 1]",
@@ -193,13 +196,8 @@ Status checkSettings(const Session::Impl& s, VkExtent2D e, const Settings& setti
     if (e.width == 0 || e.height == 0 || e.width > max.width || e.height > max.height)
         return refuse(sink, "restir: FrameInput::extent is %u x %u, maxExtent %u x %u", e.width, e.height,
                       max.width, max.height);
-    if (Status status = checkSettings(sink, settings.di); status != Status::Ok) return status;
+    if (Status status = checkSettings(sink, settings.di, s.desc); status != Status::Ok) return status;
     if (Status status = checkSettings(sink, settings.gi, s.desc); status != Status::Ok) return status;
-    if (settings.di.pairedNeighbours && settings.di.neighbours > s.desc.pairedNeighbours)
-        return refuse(
-            sink,
-            "restir: DiSettings::pairedNeighbours with %u neighbours, SessionDesc::pairedNeighbours is %u",
-            settings.di.neighbours, s.desc.pairedNeighbours);
     return Status::Ok;
 }
 

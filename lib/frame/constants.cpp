@@ -146,8 +146,10 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.di.field = fieldOf(alternate, c.di.previousField);
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
     c.gi = reuseConstants(settings.gi);
+    const bool giAlternate = alternates(frame.extent, settings.gi);
+    c.gi.partnerSquare = partnerSquare(settings.gi.radius, giAlternate);
     c.gi.previousField = giHistory ? s.history.giField : 0;
-    c.gi.field = fieldOf(alternates(frame.extent, settings.gi), c.gi.previousField);
+    c.gi.field = fieldOf(giAlternate, c.gi.previousField);
     c.giScratch = 1 - s.history.reservoirs;
     if (lights.hasTree) {
         c.di.treeShare = settings.di.treeShare;

@@ -51,7 +51,7 @@ private:
     RayStages stages_;   // RayBackend::Pipeline, and so is the table
     BindingTable table_;
     PipelineCreation when_ = PipelineCreation::All;
-    mutable std::array<Entry, 36> entries_{{{"surface.pack"},
+    mutable std::array<Entry, 38> entries_{{{"surface.pack"},
                                             {"di.candidates"},
                                             {"di.temporal"},
                                             {"di.spatiotemporal"},
@@ -69,6 +69,8 @@ private:
                                             {"gi.temporal"},
                                             {"gi.boiling"},
                                             {"gi.spatial"},
+                                            {"gi.pair_targets"},
+                                            {"gi.pair_spatial"},
                                             {"gi.shade"},
                                             {"gi.fill"},
                                             {"lights.means"},

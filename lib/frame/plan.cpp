@@ -17,6 +17,12 @@ bool averages(bool wanted, VisibilityReuse visibility, Weights weights) noexcept
            weights != Weights::Balance;
 }
 
+// Whether partners can answer one another: other weights ask of third pixels.
+template <class S>
+bool pairs(const S& s) noexcept {
+    return s.pairedNeighbours && (s.weights == Weights::Pairwise || s.weights == Weights::PairwisePlain);
+}
+
 class Planner {
 public:
     Planner(const PlanInput& input, const Settings& settings) noexcept
@@ -67,7 +73,10 @@ private:
         if (remembers && gi.boilingFilter > 0) addIndirect(gi::boiling(current));
         const bool means = averages(gi.averageShading, gi.visibility, gi.weights) && gi.spatialPasses > 0;
         for (uint32_t i = 0; i < gi.spatialPasses; ++i) {
-            addIndirect(gi::spatial(current, 1 - current, i, means && i + 1 == gi.spatialPasses));
+            const bool shades = means && i + 1 == gi.spatialPasses;
+            if (pairs(gi)) addIndirect(gi::pairTargets(current, i));
+            addIndirect(pairs(gi) ? gi::pairSpatial(current, 1 - current, i, shades)
+                                  : gi::spatial(current, 1 - current, i, shades));
             current = 1 - current;
         }
         if (!means) addIndirect(gi::shade(current));
@@ -107,12 +116,10 @@ private:
 
     uint32_t spatial(uint32_t current, uint32_t passes, bool means) {
         const DiSettings& di = settings_.di;
-        const bool paired =
-            di.pairedNeighbours && (di.weights == Weights::Pairwise || di.weights == Weights::PairwisePlain);
         for (uint32_t i = 0; i < passes; ++i) {
             const bool shades = means && i + 1 == passes;
-            if (paired) addDirect(di::pairTargets(current, i));
-            addDirect(paired ? di::pairSpatial(current, 1 - current, i, shades)
+            if (pairs(di)) addDirect(di::pairTargets(current, i));
+            addDirect(pairs(di) ? di::pairSpatial(current, 1 - current, i, shades)
                              : di::spatial(current, 1 - current, i, shades));
             current = 1 - current;
         }

@@ -69,7 +69,7 @@ struct Session::Impl {
 
 inline constexpr uint32_t kMaxSpatialPasses = 8;
 inline constexpr uint32_t kMaxNeighbours = 16;
-inline constexpr uint32_t kMaxTimedPasses = 13 + 3 * kMaxSpatialPasses;   // of the longest plan
+inline constexpr uint32_t kMaxTimedPasses = 13 + 4 * kMaxSpatialPasses;   // of the longest plan
 
 Result<bool> requirePasses(const Context::Impl& context, const Plan& plan) noexcept;   // their pipelines
 

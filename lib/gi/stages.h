@@ -10,6 +10,9 @@ PassInfo path() noexcept;   // the candidates' pass with nothing to keep: all th
 PassInfo candidates(uint32_t target) noexcept;
 PassInfo temporal(uint32_t history, uint32_t target) noexcept;   // rewrites its own pixel of `target`
 PassInfo spatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
+// The two halves of a spatial pass between partners; both belong to pass `index`.
+PassInfo pairTargets(uint32_t source, uint32_t index) noexcept;
+PassInfo pairSpatial(uint32_t source, uint32_t target, uint32_t index, bool shades) noexcept;
 PassInfo boiling(uint32_t buffer) noexcept;
 PassInfo shade(uint32_t buffer) noexcept;
 PassInfo fill() noexcept;   // with a checkerboard: the pixels that have no reservoirs

@@ -182,6 +182,8 @@ const std::vector<SettingOption>& settingOptions() {
                {0, 1}),
         onOff("gi-checkerboard", &GiSettings::checkerboard,
               "paths for half of the pixels a frame, the rest filled in, which blurs indirect light by a pixel (off)"),
+        onOff("gi-paired-neighbours", &GiSettings::pairedNeighbours,
+              "neighbours of indirect light in pairs that share rays and targets (off)"),
         number("gi-boiling-filter", &GiSettings::boilingFilter,
                "cuts outliers of indirect light back, 0 to 1: less noise, too dark (0: off)", {0, 1}),
         choice<Weights>("gi-weights", &GiSettings::weights,
@@ -322,7 +324,10 @@ Settings parseSettings(std::string_view text, Settings base) {
 void declareFor(const Settings& settings, restir::SessionDesc& desc) {
     if (settings.di.pairedNeighbours)
         desc.pairedNeighbours = std::max(desc.pairedNeighbours, settings.di.neighbours);
-    if (settings.gi.mode == IndirectMode::Restir) desc.indirect = true;
+    if (settings.gi.mode != IndirectMode::Restir) return;
+    desc.indirect = true;
+    if (settings.gi.pairedNeighbours)
+        desc.pairedNeighbours = std::max(desc.pairedNeighbours, settings.gi.neighbours);
 }
 
 }   // namespace samples

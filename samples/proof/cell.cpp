@@ -55,6 +55,7 @@ std::vector<Row> namedRows(const std::string& table) {
     } else if (table == "indirect") {
         for (const char* row :
              {"gi=mode=gi", "gi-pairwise-traced=mode=gi-only",
+              "gi-paired=mode=gi-only gi-paired-neighbours=on",
               "gi-pairwise-cached=mode=gi-only visibility=cached",
               "gi-balance-traced=mode=gi-only gi-weights=balance",
               "gi-basic-traced=mode=gi-only gi-weights=basic",

@@ -1,9 +1,12 @@
 // What paired spatial reuse keeps from its first half for its second: 1 + neighbours notes a pixel, two in a word.
 layout(set = RS_SET, binding = RS_BIND_NOTES, scalar) buffer RsNotes { uint rsNotes[]; };
 
-uint rsNoteWord(uvec2 pixel, uint number) {
-    return rsIndex(pixel) * (rsFrame.di.neighbours / 2u + 1u) + number / 2u;
-}
+#ifdef RS_PASS_INDIRECT
+uint rsNotedNeighbours() { return rsFrame.gi.neighbours; }
+#else
+uint rsNotedNeighbours() { return rsFrame.di.neighbours; }
+#endif
+uint rsNoteWord(uvec2 pixel, uint number) { return rsIndex(pixel) * (rsNotedNeighbours() / 2u + 1u) + number / 2u; }
 uint rsLoadNote(uvec2 pixel, uint number) {
     return rsNotes[rsNoteWord(pixel, number)] >> 16u * (number & 1u) & 0xffffu;
 }

@@ -69,6 +69,11 @@ TEST(Plan, OrderOfIndirectStages) {
               (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.boiling", "gi.spatial", "di.off"}));
     EXPECT_EQ(order(false, {.boilingFilter = 0.5f}),
               (Names{"surface.pack", "gi.candidates", "gi.spatial", "di.off"}));
+    EXPECT_EQ(order(true, {.spatialPasses = 2, .pairedNeighbours = true}),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.pair_targets", "gi.pair_spatial",
+                     "gi.pair_targets", "gi.pair_spatial", "di.off"}));
+    EXPECT_EQ(order(false, {.pairedNeighbours = true, .weights = Weights::Balance}),
+              (Names{"surface.pack", "gi.candidates", "gi.spatial", "gi.shade", "di.off"}));
     EXPECT_EQ(order(true, {.checkerboard = true}),
               (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "gi.fill", "di.off"}));
     EXPECT_EQ(order(true, {.mode = IndirectMode::Path, .checkerboard = true}),
@@ -98,6 +103,7 @@ Plan longestPlan() {
                             .boilingFilter = 0.5f},
                      .gi = {.mode = IndirectMode::Restir,
                             .spatialPasses = kMaxSpatialPasses,
+                            .pairedNeighbours = true,
                             .checkerboard = true,
                             .averageShading = false,
                             .boilingFilter = 0.5f},
@@ -112,8 +118,8 @@ TEST(Plan, NeedsFewOfThePipelines) {
         return passes.size();
     };
     EXPECT_EQ(pipelines(makePlan({.extent = kExtent}, {.di = {.mode = DirectMode::Off}})), 2u);
-    EXPECT_EQ(pipelines(longestPlan()), 16u);
-    EXPECT_EQ(PassPipelines().all().size(), 36u);
+    EXPECT_EQ(pipelines(longestPlan()), 17u);
+    EXPECT_EQ(PassPipelines().all().size(), 38u);
 }
 
 // What it reads is what direct light's passes begin with.
@@ -151,20 +157,23 @@ TEST(Plan, IndirectLobesAreWrittenOnce) {
 
 // Both halves are of one pass: they draw the same partners.
 TEST(Plan, PartnersAreOfOnePass) {
-    const Plan plan = makePlan({kExtent, true, 0}, {.di = {.spatialPasses = 3, .pairedNeighbours = true}});
+    const Plan plan = makePlan({kExtent, true, 0, false, true, 0},
+                               {.di = {.spatialPasses = 3, .pairedNeighbours = true},
+                                .gi = {.mode = IndirectMode::Restir, .spatialPasses = 3, .pairedNeighbours = true}});
     const PassInfo* targets = nullptr;
     uint32_t next = 0;
     for (const PassInfo& pass : plan.passes) {
-        if (std::string(pass.name) == "di.pair_targets") targets = &pass;
-        if (std::string(pass.name) != "di.pair_spatial") continue;
+        if (stageOf(pass) == "pair_targets") targets = &pass;
+        if (stageOf(pass) != "pair_spatial") continue;
         ASSERT_NE(targets, nullptr);
+        EXPECT_EQ(isIndirect(pass), isIndirect(*targets));
         EXPECT_EQ(pass.index, targets->index);
         EXPECT_EQ(pass.source, targets->source);
         EXPECT_TRUE(uses(*targets, Resource::Notes, true));
         EXPECT_TRUE(uses(pass, Resource::Notes, false));
-        EXPECT_EQ(pass.index, next++);
+        EXPECT_EQ(pass.index, next++ % 3);
     }
-    EXPECT_EQ(next, 3u);
+    EXPECT_EQ(next, 6u);
 }
 
 // One pass for two; a frame without history has no more to fuse than one without either kind of reuse.

@@ -32,6 +32,13 @@ std::vector<Settings> allSettings() {
                     {.di = {.mode = direct},
                      .gi = {
                          .mode = IndirectMode::Restir, .spatialPasses = spatial, .averageShading = average}});
+    for (uint32_t spatial : {1u, 3u})
+        for (bool checkerboard : {false, true})
+            all.push_back({.di = {.pairedNeighbours = true},
+                           .gi = {.mode = IndirectMode::Restir,
+                                  .spatialPasses = spatial,
+                                  .pairedNeighbours = true,
+                                  .checkerboard = checkerboard}});
     for (auto direct : {DirectMode::Restir, DirectMode::NextEvent, DirectMode::Off})
         for (bool checkerboard : {false, true})
             for (auto visibility : {VisibilityReuse::Cached, VisibilityReuse::Traced})

@@ -34,6 +34,7 @@ NamedSettings named(const std::string& name, const std::function<void(restir::Gi
 
 const NamedSettings kPath = named("path", [](auto& gi) { gi.mode = restir::IndirectMode::Path; });
 const NamedSettings kBoth = named("both", [](auto&) {});
+const NamedSettings kPaired = named("paired", [](auto& gi) { gi.pairedNeighbours = true; });
 
 std::vector<NamedSettings> allReuse() {
     return {kPath,
@@ -41,6 +42,7 @@ std::vector<NamedSettings> allReuse() {
             named("candidates", [](auto& gi) { gi.temporal = false, gi.spatialPasses = 0; }),
             named("temporal", [](auto& gi) { gi.spatialPasses = 0; }),
             named("spatial", [](auto& gi) { gi.temporal = false; }),
+            kPaired,
             named("selected", [](auto& gi) { gi.averageShading = false; }),
             named("balance", [](auto& gi) { gi.temporal = false, gi.weights = restir::Weights::Balance; })};
 }
@@ -98,7 +100,7 @@ TEST(Gi, DiffuseRoomAgreesWithTheReference) {
 // What the boxes reflect changes with the view, and is as noisy.
 TEST(Gi, GlossyRoomAgreesWithTheReference) {
     expectReference(room({.color = kAlbedo, .roughness = 77.0f / 255.0f, .metalness = 51.0f / 255.0f}),
-                    {kPath, kBoth}, 64);
+                    {kPath, kBoth, kPaired}, 64);
 }
 
 // The floor of a room one wall of which shines. What direct light would be if it were blurred as well is the same to a
@@ -114,7 +116,9 @@ TEST(Gi, CheckerboardBlursByAPixelAndNoMore) {
     SeedStatistics truth;
     for (sequence.seed = 1; sequence.seed <= 32; ++sequence.seed)
         truth.add(halfBlurred(world.reference(sequence, {.paths = 20, .bounces = kBounces})));
-    expectAgreement(world, referenceFromSeeds(truth), {named("checkerboard", [](auto& gi) { gi.checkerboard = true; })}, 64);
+    expectAgreement(world, referenceFromSeeds(truth), {named("checkerboard", [](auto& gi) { gi.checkerboard = true; }),
+                     named("checkerboard, paired", [](auto& gi) { gi.checkerboard = gi.pairedNeighbours = true; })},
+                    64);
 }
 
 // The share of the pixels with odd or even x + y that are the mean of those around, but for what rounding leaves.
@@ -173,6 +177,29 @@ TEST(Gi, CheckerboardTakesHalfOfTheRays) {
     EXPECT_NEAR(rays(4, false, false), whole, whole / 10);   // with only half a history
     const double both = sequence(true, false);
     EXPECT_NEAR(sequence(true, true), both - whole / 2, whole / 20);
+}
+
+// Either of a pair asks for both.
+TEST(Gi, PartnersTakeHalfOfTheRays) {
+    samples::SceneData data = room({.color = kAlbedo, .roughness = 1, .specular = 0});
+    const samples::View view = data.views[0];
+    const samples::GpuScene scene(device(), std::move(data));
+    HostView host(scene, view, {.maxExtent = kExtent, .pairedNeighbours = 5, .indirect = true});
+    const auto rays = [&](uint32_t spatialPasses, bool paired) {
+        restir::Settings settings = indirect();
+        settings.di.mode = restir::DirectMode::Off;
+        settings.gi.temporal = false;
+        settings.gi.normalThreshold = -1;   // disc and squares accept alike
+        settings.gi.depthThreshold = 1e9f;
+        settings.gi.spatialPasses = spatialPasses;
+        settings.gi.pairedNeighbours = paired;
+        settings.counters = true;
+        host.newSession();
+        host.frame(host.input(0), settings);
+        return double(host.session().counters(0).rays);
+    };
+    const double alone = rays(0, false), spatial = rays(1, false) - alone, paired = rays(1, true) - alone;
+    EXPECT_NEAR(paired / spatial, 0.5, 0.05);
 }
 
 // A room of small lamps close to its walls: what few paths find stays in the history. Less error, for darkness of known size.

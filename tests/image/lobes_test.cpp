@@ -289,6 +289,9 @@ TEST_F(IndirectLobes, PutTogetherTheyAreTheRadiance) {
     settings.gi.checkerboard = true;
     expect("checkerboard");
     settings.gi.checkerboard = false;
+    settings.gi.pairedNeighbours = true;
+    expect("paired");
+    settings.gi.pairedNeighbours = false;
     settings.gi.averageShading = false;
     expect("selected");
     settings.gi.spatialPasses = 2;

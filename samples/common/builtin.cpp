@@ -60,6 +60,14 @@ std::string_view parseLamps(std::string_view name, std::string_view query) {
     return kind;
 }
 
+constexpr struct {
+    std::string_view name;
+    SceneData (*make)();
+} kScenes[] = {{"cornell", build::makeCornell},
+               {"rooms", build::makeRooms},
+               {"market", build::makeMarket},
+               {"city", build::makeCity}};   // without parameters
+
 }   // namespace
 
 SceneData makeBuiltin(std::string_view name) {
@@ -68,11 +76,10 @@ SceneData makeBuiltin(std::string_view name) {
     const std::string_view query = mark == std::string_view::npos ? "" : name.substr(mark + 1);
     if (kind == "street") return build::makeStreet(parseStreet(name, query));
     if (kind == "lamps") return build::makeLamps(parseLamps(name, query));
-    if (kind != "cornell" && kind != "market" && kind != "city")
-        fail(name, "unknown, known: cornell, market, city, street, lamps");
+    const auto* scene = std::find_if(std::begin(kScenes), std::end(kScenes), [&](const auto& s) { return s.name == kind; });
+    if (scene == std::end(kScenes)) fail(name, "unknown, known: cornell, rooms, market, city, street, lamps");
     if (!query.empty()) fail(name, "takes no parameters, got '" + std::string{query} + "'");
-    if (kind == "city") return build::makeCity();
-    return kind == "cornell" ? build::makeCornell() : build::makeMarket();
+    return scene->make();
 }
 
 SceneData loadScene(const std::string& nameOrPath, std::vector<std::string>& warnings) {

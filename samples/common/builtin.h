@@ -12,6 +12,9 @@ namespace samples::build {
 // A closed room with two boxes, lit by 100 small coloured triangles that float in it.
 SceneData makeCornell();
 
+// A dark room and a bright one with a door between them, which moves; and the lamp of the bright one goes on and off.
+SceneData makeRooms();
+
 // A market street at night: lit windows, signs, lanterns, lamps and strings of bulbs over wet cobbles.
 SceneData makeMarket();
 
@@ -23,7 +26,6 @@ struct StreetSize {
     uint64_t triangles = 2826672, emissive = 20658;   // exact, instances counted
 };
 SceneData makeStreet(const StreetSize& size);
-
 
 // A few boxes under lamps of one kind, or under one of each: "triangle", "sphere" ..., "all". Throws
 // std::runtime_error that names them all.

@@ -53,7 +53,7 @@ void drawRays(State& state) {
 }   // namespace
 
 void drawScene(State& state, const Facts& facts) {
-    static constexpr const char* kBuiltin[] = {"builtin:market", "builtin:cornell", "builtin:lamps",
+    static constexpr const char* kBuiltin[] = {"builtin:market", "builtin:cornell", "builtin:rooms", "builtin:lamps",
                                                "builtin:street?triangles=100000&emissive=2000"};
     if (ImGui::BeginCombo("scene", facts.stage.name.c_str())) {
         for (const char* name : kBuiltin)

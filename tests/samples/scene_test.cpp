@@ -85,6 +85,23 @@ TEST(Scene, CornellHasAHundredLights) {
     EXPECT_FALSE(scene.views.empty());
 }
 
+TEST(Scene, RoomsHaveADoorAndALampThatGoesOut) {
+    const SceneData scene = load("builtin:rooms");
+    expectSound(scene);
+    EXPECT_EQ(countOf(scene).emissive, 4u);
+    const samples::SceneState rest = samples::restOf(scene);
+    const auto at = [&](const char* animation, float time) {
+        samples::SceneState state = rest;
+        samples::findMotion(scene, animation)(time, state);
+        return state;
+    };
+    for (float time : {-24.0f, -6.0f, 0.0f, 9.0f}) {
+        EXPECT_NE(at("door", time).worldFromObject, at("door", time + 1).worldFromObject) << time;
+        const bool dark = at("switch", time).emission != rest.emission;
+        EXPECT_EQ(dark, time >= -2) << time;
+    }
+}
+
 TEST(Scene, MarketHasThousandsOfLights) {
     const SceneData scene = load("builtin:market");
     expectSound(scene);

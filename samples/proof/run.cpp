@@ -172,7 +172,7 @@ private:
     ProofFile& file_;
     Prover& prover_;
     const std::function<void(const std::string&)>& say_;
-    std::vector<Transport> transports_;   // of the plan's rows
+    std::vector<Transport> transports_;        // of the plan's rows
     Clock::time_point start_ = Clock::now();   // of the cells
     Clock::time_point saved_ = start_;
 };

@@ -1,5 +1,9 @@
 #include "proof/measures.h"
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 namespace proof {
 namespace {
 
@@ -25,17 +29,22 @@ double luminance(const samples::FloatImage& image, size_t pixel) {
     return 0.2126 * double(c[0]) + 0.7152 * double(c[1]) + 0.0722 * double(c[2]);
 }
 
-double relativeError(const samples::FloatImage& image, const samples::FloatImage& reference) {
+double trimmedError(const samples::FloatImage& image, const samples::FloatImage& reference, double share) {
     const double floor = floorOf(reference);
-    double sum = 0;
-    size_t counted = 0;
+    std::vector<double> errors;
     for (size_t i = 0; i < pixelsOf(image); ++i) {
         const double r = luminance(reference, i), d = luminance(image, i) - r;
-        if (r <= 0) continue;
-        sum += d * d / (r * r + floor);
-        ++counted;
+        if (r > 0) errors.push_back(d * d / (r * r + floor));
     }
-    return counted > 0 ? sum / double(counted) : 0;
+    if (errors.empty()) return 0;
+    const auto kept = std::max(size_t(share * double(errors.size())), size_t{1});
+    const auto end = errors.begin() + std::ptrdiff_t(kept);
+    if (end != errors.end()) std::nth_element(errors.begin(), end, errors.end());
+    return std::accumulate(errors.begin(), end, 0.0) / double(kept);
+}
+
+double relativeError(const samples::FloatImage& image, const samples::FloatImage& reference) {
+    return trimmedError(image, reference, 1);
 }
 
 void NoiseCorrelation::add(const FramePair& a, const FramePair& b, const samples::FloatImage& reference) {

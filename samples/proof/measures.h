@@ -10,6 +10,8 @@ double luminance(const samples::FloatImage& image, size_t pixel);
 // mean((I - R)^2 / (R^2 + 0.01 mean(R)^2)) of luminances. Black pixels of R are left out: the emitters that a
 // Prover blacks out, and the sky.
 double relativeError(const samples::FloatImage& image, const samples::FloatImage& reference);
+// The same of the pixels with the least error, a `share` in (0, 1] of all: without what single outliers do.
+double trimmedError(const samples::FloatImage& image, const samples::FloatImage& reference, double share);
 
 // Two frames of one sequence, one after the other.
 struct FramePair {

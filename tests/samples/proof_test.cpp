@@ -168,6 +168,18 @@ TEST(Proof, RareOutliersAreNotCalledBias) {
     EXPECT_GT(early.sequencesNeeded, 60);
 }
 
+TEST(Proof, OutliersAreLeftOutOfTheTrimmedError) {
+    samples::FloatImage reference{10, 10, std::vector<float>(300, 1.0f)}, image = reference;
+    for (float& v : image.rgb) v = 1.1f;
+    for (size_t c = 0; c < 3; ++c) image.rgb[30 + c] = 101;   // one pixel of a hundred
+    EXPECT_NEAR(relativeError(image, reference), (0.99 * 0.01 + 100) / 1.01, 0.01);
+    EXPECT_NEAR(trimmedError(image, reference, 0.99), 0.01 / 1.01, 1e-6);
+    EXPECT_EQ(trimmedError(image, reference, 1), relativeError(image, reference));
+    for (size_t c = 0; c < 3; ++c) reference.rgb[c] = 0;   // not counted
+    EXPECT_NEAR(trimmedError(image, reference, 0.98), 0.01 / 1.01, 1e-3);
+    EXPECT_EQ(trimmedError(image, {10, 10, std::vector<float>(300)}, 0.99), 0);
+}
+
 TEST(Proof, NoiseOfTheReferenceIsNoError) {
     Source source(5, 0.2, 0);
     Reference reference;

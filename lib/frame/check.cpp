@@ -80,7 +80,8 @@ struct RangeCheck {
             return refuse(sink, "restir: %s::visibility is %d", of, int(s.visibility));
         if (!(s.boilingFilter >= 0 && s.boilingFilter <= 1))
             return refuse(sink, "restir: %s::boilingFilter is %g, must be in [0, 1]", of, double(s.boilingFilter));
-        if (s.pairedNeighbours && s.neighbours > desc.pairedNeighbours)
+        const bool reuses = s.mode == decltype(s.mode)::Restir;
+        if (reuses && s.pairedNeighbours && s.neighbours > desc.pairedNeighbours)
             return refuse(sink, "restir: %s::pairedNeighbours with %u neighbours, SessionDesc::pairedNeighbours is %u", of,
                           s.neighbours, desc.pairedNeighbours);
         return Status::Ok;

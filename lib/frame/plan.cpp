@@ -120,7 +120,7 @@ private:
             const bool shades = means && i + 1 == passes;
             if (pairs(di)) addDirect(di::pairTargets(current, i));
             addDirect(pairs(di) ? di::pairSpatial(current, 1 - current, i, shades)
-                             : di::spatial(current, 1 - current, i, shades));
+                                : di::spatial(current, 1 - current, i, shades));
             current = 1 - current;
         }
         return current;

@@ -31,13 +31,14 @@ void addShell(SceneData& scene) {
     addInstance(scene, addMesh(scene, {walls, floor, red}));
 }
 
-// Hinged at its left edge, which is its origin.
+// Hinged at its left edge, which is its origin; open towards the dark room by so many radians.
+glm::mat4 doorAt(float angle) { return place({kDoorLeft, 0, -0.01f}, -angle); }
 void addDoor(SceneData& scene) {
     Geometry leaf{.material = addMaterial(scene, {.color = {0.5f, 0.52f, 0.5f}, .roughness = 0.6f})};
     addBox(leaf, {0, 0.005f, -0.05f}, {kDoorRight - kDoorLeft - 0.005f, kDoorHeight - 0.005f, 0});
     Geometry knob{.material = addMaterial(scene, {.color = {0.9f, 0.7f, 0.35f}, .roughness = 0.25f, .metalness = 1})};
     addSphere(knob, {kDoorRight - kDoorLeft - 0.09f, 1, 0.04f}, glm::vec3{0.035f}, 16, 8);
-    addInstance(scene, addMesh(scene, {leaf, knob}), place({kDoorLeft, 0, -0.01f}));
+    addInstance(scene, addMesh(scene, {leaf, knob}), doorAt(1.6f));
 }
 
 void addFurniture(SceneData& scene) {
@@ -53,7 +54,7 @@ void addFurniture(SceneData& scene) {
     addInstance(scene, addMesh(scene, {wood, steel, cloth}));
 }
 
-enum : uint32_t { kShell, kDoor };   // instances, in the order in which makeRooms adds them
+constexpr uint32_t kDoor = 1;   // of the instances
 
 // Both shine downwards. Returns the ceiling lamp's material.
 uint32_t addLamps(SceneData& scene) {
@@ -68,8 +69,7 @@ uint32_t addLamps(SceneData& scene) {
 
 // To and fro; at time 0 half open, and turning by 6 degrees a frame.
 void turnDoor(float time, SceneState& state) {
-    const float angle = 0.8f * (1 + std::sin(2 * kPi * time / 48));
-    state.worldFromObject[kDoor] = place({kDoorLeft, 0, -0.01f}, -angle);
+    state.worldFromObject[kDoor] = doorAt(0.8f * (1 + std::sin(2 * kPi * time / 48)));
 }
 
 }   // namespace
@@ -80,7 +80,6 @@ SceneData makeRooms() {
     addDoor(scene);
     addFurniture(scene);
     const uint32_t lamp = addLamps(scene);
-    scene.instances[kDoor].worldFromObject = place({kDoorLeft, 0, -0.01f}, -1.6f);
     scene.views = {{.eye = {0.9f, 1.5f, 4.3f}, .target = {-0.2f, 1.05f, 0}, .verticalFov = 1.0f, .name = "dark"},
                    {.eye = {-2, 1.6f, -3.2f}, .target = {0.3f, 1, 0}, .verticalFov = 1.0f, .name = "bright"}};
     // On and off in turns of 24 frames; at time 0 it is dark for the third frame.

@@ -17,6 +17,10 @@ class App;
 
 namespace samples {
 
+inline constexpr const char* kSceneHelp =
+    "a .gltf or .glb file, or builtin:cornell, builtin:rooms, builtin:market, builtin:city, builtin:street, "
+    "builtin:lamps";
+
 struct SceneOptions {
     std::string scene;               // a file, or builtin:NAME
     std::string environment = {};    // empty: the scene's own sky, if any

@@ -22,7 +22,7 @@ constexpr const char* kVersion = RENDER_TEXT(RESTIR_VERSION_MAJOR) "." RENDER_TE
 
 void addPicture(CLI::App& app, Options& options) {
     app.add_option("scene", options.scene.scene,
-                   "a .gltf or .glb file, or builtin:cornell, builtin:rooms, builtin:market, builtin:city, builtin:street, builtin:lamps")
+                   samples::kSceneHelp)
         ->required()
         ->type_name("SCENE");
     samples::addSize(app, options.size, "picture size in pixels");

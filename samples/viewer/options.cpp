@@ -12,7 +12,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     CLI::App app("Shows a scene with many lights, lit by ReSTIR, in a window.", "restir-viewer");
     Options options;
     app.add_option("scene", options.scene.scene,
-                   "a .gltf or .glb file, or builtin:cornell, builtin:rooms, builtin:market, builtin:city, builtin:street, builtin:lamps")
+                   samples::kSceneHelp)
         ->default_val("builtin:market")
         ->type_name("SCENE");
     samples::addSize(app, options.window, "of the window");

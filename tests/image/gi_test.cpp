@@ -353,7 +353,13 @@ TEST(Gi, NeedsItsMemoryDeclared) {
     ASSERT_FALSE(plan);
     EXPECT_EQ(plan.error().status, restir::Status::InvalidArgument);
     restir::Settings path = kPath.settings;
+    path.gi.pairedNeighbours = true;   // of no use without reservoirs
     EXPECT_TRUE(host.session().plan(input, path));
+    HostView unpaired(scene, world.view(), {.maxExtent = kExtent, .pairedNeighbours = 4, .indirect = true});
+    EXPECT_FALSE(unpaired.session().plan(unpaired.input(0), kPaired.settings));
+    restir::Settings four = kPaired.settings;
+    four.gi.neighbours = 4;
+    EXPECT_TRUE(unpaired.session().plan(unpaired.input(0), four));
 }
 
 }   // namespace

@@ -67,6 +67,12 @@ restir::DiSettings alone(restir::DiSettings di) {
     return di;
 }
 
+template <class S>
+S inPairs(S s) {
+    s.pairedNeighbours = true;
+    return s;
+}
+
 restir::DiSettings byPower(restir::DiSettings di) {
     di.treeShare = 0;
     return di;
@@ -119,6 +125,12 @@ std::vector<Trial> trials() {
          {"empty_is_rejected", "off_labelled_pairwise", "undefined_shift_skipped",
           "neighbours_visibility_missing", "canonical_visibility_missing", "defensive_part_unscaled",
           "larger_weight_wins"}},
+        {"spatial, pairs traced",
+         shadows,
+         1,
+         128,
+         inPairs(with(kSpatial, pairwise, traced)),
+         {"partner_without_the_sample_skipped", "notes_without_visibility"}},
         {"spatial, balance traced",
          shadows,
          1,
@@ -157,6 +169,13 @@ std::vector<Trial> trials() {
          alone(withDirections(kSpatial, 16, 0)),
          {"jacobian_left_out", "jacobian_inverted", "cosine_at_the_wrong_vertex"},
          kPaths},
+        {"paths, pairs",
+         Stage::Card,
+         1,
+         64,
+         alone(withDirections(kSpatial, 16, 0)),
+         {"jacobian_left_out_between_partners"},
+         inPairs(kPaths)},
     };
 }
 
@@ -189,7 +208,12 @@ private:
 };
 
 SeedStatistics render(const Play& play, const Trial& trial, const restir::ShaderPack* shaders) {
-    HostView host(*play.scene, play.view, {.maxExtent = Play::kExtent, .maxLights = 8, .indirect = trial.gi.mode != restir::IndirectMode::Off, .shaders = shaders});
+    HostView host(*play.scene, play.view,
+                  {.maxExtent = Play::kExtent,
+                   .maxLights = 8,
+                   .pairedNeighbours = restir::kPresetPartners,
+                   .indirect = trial.gi.mode != restir::IndirectMode::Off,
+                   .shaders = shaders});
     restir::Settings settings;
     settings.di = trial.di;
     settings.gi = trial.gi;

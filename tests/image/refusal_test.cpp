@@ -140,7 +140,6 @@ const BadFrame kBadFrames[] = {
     {"neighbours", [](FrameInput&, Settings& s) { s.di.neighbours = 17; }},
     {"pairedNeighbours",
      [](FrameInput&, Settings& s) { s.di.pairedNeighbours = true; }},   // but not declared
-    {"GiSettings::pairedNeighbours", [](FrameInput&, Settings& s) { s.gi.pairedNeighbours = true; }},
     {"radius", [](FrameInput&, Settings& s) { s.di.radius = 0; }},
     {"radius", [](FrameInput&, Settings& s) { s.di.radius = kNan; }},
     {"normalThreshold", [](FrameInput&, Settings& s) { s.di.normalThreshold = 1.1f; }},

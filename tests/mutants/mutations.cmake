@@ -171,6 +171,20 @@ restir_mutant(final_ray_written_back "None's final ray empties the reservoir tha
     passes/di/shade.glsl di/shade
     [[if (occluded && rsFrame.di.visibility == RS_VISIBILITY_CACHED)]] [[if (occluded)]])
 
+# ---- partners ---------------------------------------------------------------------------------------------
+
+restir_mutant(partner_without_the_sample_skipped "where the partner cannot have Y_c the term c_i / S of m_c is skipped (section 4)"
+    restir/di/pair_spatial.glsl di/pair_spatial
+    [[if (own > 0.0) canonicalMis]] [[if (own > 0.0 && pair.there > 0.0) canonicalMis]])
+
+restir_mutant(notes_without_visibility "partners note targets of killed samples without V (section 4)"
+    restir/di/pair_targets.glsl di/pair_targets
+    [[if (asks && !rsUnoccluded(s, direct.incident))]] [[if (asks && !asks)]])
+
+restir_mutant(jacobian_left_out_between_partners "paths move to partners per solid angle (section 6)"
+    restir/gi/reservoir.glsl "gi/candidates;gi/pair_targets;gi/pair_spatial"
+    [[float solidAngle = cosVertex / (distance * distance);]] [[float solidAngle = 1.0;]])
+
 # ---- indirect light --------------------------------------------------------------------------------------
 
 restir_mutant(jacobian_left_out "weights per solid angle move to other pixels as they are (section 6)"

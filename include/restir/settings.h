@@ -106,6 +106,9 @@ struct GiSettings {
     float depthThreshold = 0.1f;
     // As in DiSettings. Where nobody around is on a pixel's surface, it traces a path of its own.
     bool checkerboard = false;
+    // Paths for one pixel of each 2 x 2, another one in each frame, and the rest filled in from the two or four closest: a quarter
+    // of the time, biased as a checkerboard is. `checkerboard` is then without effect.
+    bool halfResolution = false;
     // Not the defensive form: what that leaves to a pixel's own path is more than that is worth here.
     Weights weights = Weights::PairwisePlain;
     // Cached or Traced, as in DiSettings. None does not exist: every path is traced, so a reservoir never

@@ -39,15 +39,18 @@ uint32_t flagsOf(const FrameInput& frame, const Settings& settings, bool history
 }
 
 // Two points of a square with edge n are n^2 / 3 apart in the mean square, points of a disc r^2 / 2 from its
-// centre; in squares of pairs of pixels, 2 n by n, 5 n^2 / 6.
-uint32_t partnerSquare(float radius, bool pairs) noexcept {
-    return 2 * std::max(uint32_t(std::lround(radius * (pairs ? 0.38730f : 0.61237f))), 1u);
+// centre; in squares of pairs of pixels, 2 n by n, 5 n^2 / 6; of blocks, 4 n^2 / 3.
+uint32_t partnerSquare(float radius, Cell cell) noexcept {
+    constexpr float kHalfEdge[] = {0.61237f, 0.38730f, 0.30619f};
+    return 2 * std::max(uint32_t(std::lround(radius * kHalfEdge[size_t(cell)])), 1u);
 }
 
-// The other half than last time, of pixels or of pixels with paths; 0: all.
-uint32_t fieldOf(bool alternates, uint32_t last) noexcept {
-    if (!alternates) return 0;
-    return last == 1 ? 2 : 1;
+// Another pixel of each cell than last time, in turns: restir/di/field.glsl.
+uint32_t fieldOf(Cell cell, uint32_t last) noexcept {
+    if (cell == Cell::Pixel) return RS_FIELD_ALL;
+    if (cell == Cell::Pair) return last == RS_FIELD_PAIRS ? RS_FIELD_PAIRS + 1 : RS_FIELD_PAIRS;
+    constexpr uint32_t kAfter[] = {3, 2, 0, 1};   // across, then up, then across
+    return RS_FIELD_BLOCKS + (last < RS_FIELD_BLOCKS ? 0 : kAfter[last - RS_FIELD_BLOCKS]);
 }
 
 // What any kind of reuse has.
@@ -65,12 +68,12 @@ gpu::RsDiConstants reuseConstants(const S& s) noexcept {
             .freshConfidence = 1};
 }
 
-gpu::RsDiConstants diConstants(const DiSettings& di, bool history, bool alternates) noexcept {
+gpu::RsDiConstants diConstants(const DiSettings& di, bool history, Cell cell) noexcept {
     const bool cut = di.temporal && !history;
     gpu::RsDiConstants c = reuseConstants(di);
     c.bsdfCandidates = di.bsdfCandidates;
     c.initialSamples = cut ? std::max(di.initialSamples, di.cutSamples) : di.initialSamples;
-    c.partnerSquare = partnerSquare(di.radius, alternates);
+    c.partnerSquare = partnerSquare(di.radius, cell);
     c.freshConfidence =
         c.initialSamples / di.initialSamples;   // what the next frames' candidates are weighed against
     return c;
@@ -140,16 +143,16 @@ gpu::RsFrame makeConstants(const Session::Impl& s, const FrameInput& frame, cons
     c.environmentExtent = lights.environment.extent();
     const auto& found = lights.recorded.found;
     c.infiniteLights = {found[0], found[1], found[2], found[3]};
-    const bool alternate = alternates(frame.extent, settings.di);
-    c.di = diConstants(settings.di, history, alternate);
+    const Cell cell = cellOf(frame.extent, settings.di);
+    c.di = diConstants(settings.di, history, cell);
     c.di.previousField = history ? s.history.field : 0;
-    c.di.field = fieldOf(alternate, c.di.previousField);
+    c.di.field = fieldOf(cell, c.di.previousField);
     if (settings.di.permuteHistory) c.di.permutation = 16u | (c.seed & 15u);
     c.gi = reuseConstants(settings.gi);
-    const bool giAlternate = alternates(frame.extent, settings.gi);
-    c.gi.partnerSquare = partnerSquare(settings.gi.radius, giAlternate);
+    const Cell giCell = cellOf(frame.extent, settings.gi);
+    c.gi.partnerSquare = partnerSquare(settings.gi.radius, giCell);
     c.gi.previousField = giHistory ? s.history.giField : 0;
-    c.gi.field = fieldOf(giAlternate, c.gi.previousField);
+    c.gi.field = fieldOf(giCell, c.gi.previousField);
     c.giScratch = 1 - s.history.reservoirs;
     if (lights.hasTree) {
         c.di.treeShare = settings.di.treeShare;

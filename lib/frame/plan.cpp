@@ -26,8 +26,7 @@ bool pairs(const S& s) noexcept {
 class Planner {
 public:
     Planner(const PlanInput& input, const Settings& settings) noexcept
-        : input_(input), settings_(settings), checkerboard_(alternates(input.extent, settings.di)),
-          giCheckerboard_(alternates(input.extent, settings.gi)) {}
+        : input_(input), settings_(settings), cell_(cellOf(input.extent, settings.di)), giCell_(cellOf(input.extent, settings.gi)) {}
 
     Plan run() {
         add(surface::pack());
@@ -40,26 +39,27 @@ public:
     }
 
 private:
-    void add(PassInfo pass, bool half = false) {
-        const uint32_t width = half ? (input_.extent.width + 1) / 2 : input_.extent.width;
-        pass.groups[0] = (width + 7) / 8;
-        pass.groups[1] = (input_.extent.height + 7) / 8;
+    void add(PassInfo pass, Cell cell = Cell::Pixel) {
+        const auto cells = [](uint32_t pixels, bool halved) { return halved ? (pixels + 1) / 2 : pixels; };
+        pass.groups[0] = (cells(input_.extent.width, cell != Cell::Pixel) + 7) / 8;
+        pass.groups[1] = (cells(input_.extent.height, cell == Cell::Block) + 7) / 8;
         pass.groups[2] = 1;
         plan_.passes.push_back(pass);
     }
     // A stage of direct light: on all pixels, or on this frame's half of them.
     void addDirect(PassInfo pass) {
-        if (checkerboard_ && pass.shades)
+        if (cell_ != Cell::Pixel && pass.shades)
             addUse(pass, {Resource::Surfaces, Access::ReadWrite});   // for di.fill
-        add(pass, checkerboard_);
+        add(pass, cell_);
     }
 
     // A stage of indirect light.
-    void addIndirect(PassInfo pass) {
+    void addIndirect(PassInfo pass) { addIndirect(pass, giCell_); }
+    void addIndirect(PassInfo pass, Cell cell) {
         if (input_.indirectLobes && pass.shades) addUse(pass, {Resource::Outputs, Access::Write});
-        if (giCheckerboard_ && pass.shades)   // for gi.fill, where direct light starts later
+        if (giCell_ != Cell::Pixel && pass.shades)   // for gi.fill, where direct light starts later
             addUse(pass, {reservoirs(1 - input_.historyIn), Access::ReadWrite});
-        add(pass, giCheckerboard_);
+        add(pass, cell);
     }
 
     void indirect() {
@@ -80,7 +80,7 @@ private:
             current = 1 - current;
         }
         if (!means) addIndirect(gi::shade(current));
-        if (giCheckerboard_) addIndirect(gi::fill());
+        if (giCell_ != Cell::Pixel) addIndirect(gi::fill(), giCell_ == Cell::Pair ? Cell::Pair : Cell::Pixel);
         plan_.giHistoryOut = current;
     }
 
@@ -96,7 +96,7 @@ private:
         const bool fused = di.fused && remembers && di.spatialPasses > 0;
         const bool filters = remembers && di.boilingFilter > 0;
         // It looks at motion, which lit pixels of a checkerboard overwrite.
-        const bool showsBefore = input_.gradient && checkerboard_;
+        const bool showsBefore = input_.gradient && cell_ != Cell::Pixel;
         const uint32_t spatialPasses = di.spatialPasses - (fused ? 1 : 0);
         // A reservoir is shaded after the filter.
         const bool means = averages(di.averageShading, di.visibility, di.weights) &&
@@ -109,7 +109,7 @@ private:
         if (input_.gradient) addDirect(di::gradient(history, current));
         current = spatial(current, spatialPasses, means);
         if (!means) addDirect(di::shade(current));
-        if (checkerboard_) addDirect(di::fill(current));
+        if (cell_ != Cell::Pixel) addDirect(di::fill(current));
         if (settings_.debugView != DebugView::None) add(di::debug(current, std::max(spatialPasses, 1u) - 1));
         plan_.historyOut = current;
     }
@@ -128,18 +128,21 @@ private:
 
     const PlanInput& input_;
     const Settings& settings_;
-    bool checkerboard_, giCheckerboard_;
+    Cell cell_, giCell_;
     Plan plan_;
 };
 
 }   // namespace
 
-bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept {
-    return settings.checkerboard && settings.mode == DirectMode::Restir && extent.width > 1;
+Cell cellOf(VkExtent2D extent, const DiSettings& settings) noexcept {
+    const bool pairs = settings.checkerboard && settings.mode == DirectMode::Restir && extent.width > 1;
+    return pairs ? Cell::Pair : Cell::Pixel;
 }
 
-bool alternates(VkExtent2D extent, const GiSettings& settings) noexcept {
-    return settings.checkerboard && settings.mode == IndirectMode::Restir && extent.width > 1;
+Cell cellOf(VkExtent2D extent, const GiSettings& settings) noexcept {
+    if (settings.mode != IndirectMode::Restir || extent.width < 2) return Cell::Pixel;
+    if (settings.halfResolution && extent.height > 1) return Cell::Block;
+    return settings.checkerboard ? Cell::Pair : Cell::Pixel;
 }
 
 Plan makePlan(const PlanInput& input, const Settings& settings) { return Planner(input, settings).run(); }

@@ -22,9 +22,11 @@ struct Plan {
     uint32_t historyOut = 0, giHistoryOut = 0;   // reservoir buffers that hold this frame's results
 };
 
-// Whether frames of this extent light half of their pixels. A column alone has no others to be filled from.
-bool alternates(VkExtent2D extent, const DiSettings& settings) noexcept;
-bool alternates(VkExtent2D extent, const GiSettings& settings) noexcept;
+// What frames of this extent light one pixel of (restir/di/field.glsl). A column alone, or for blocks a row, has no others to be
+// filled from.
+enum class Cell : uint8_t { Pixel, Pair, Block };
+Cell cellOf(VkExtent2D extent, const DiSettings& settings) noexcept;
+Cell cellOf(VkExtent2D extent, const GiSettings& settings) noexcept;
 
 Plan makePlan(const PlanInput& input, const Settings& settings);
 

@@ -182,6 +182,8 @@ const std::vector<SettingOption>& settingOptions() {
                {0, 1}),
         onOff("gi-checkerboard", &GiSettings::checkerboard,
               "paths for half of the pixels a frame, the rest filled in, which blurs indirect light by a pixel (off)"),
+        onOff("gi-half-resolution", &GiSettings::halfResolution,
+              "paths for a quarter of the pixels a frame, filled in likewise (off)"),
         onOff("gi-paired-neighbours", &GiSettings::pairedNeighbours,
               "neighbours of indirect light in pairs that share rays and targets (off)"),
         number("gi-boiling-filter", &GiSettings::boilingFilter,

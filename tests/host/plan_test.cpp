@@ -76,6 +76,8 @@ TEST(Plan, OrderOfIndirectStages) {
               (Names{"surface.pack", "gi.candidates", "gi.spatial", "gi.shade", "di.off"}));
     EXPECT_EQ(order(true, {.checkerboard = true}),
               (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "gi.fill", "di.off"}));
+    EXPECT_EQ(order(true, {.halfResolution = true}),
+              (Names{"surface.pack", "gi.candidates", "gi.temporal", "gi.spatial", "gi.fill", "di.off"}));
     EXPECT_EQ(order(true, {.mode = IndirectMode::Path, .checkerboard = true}),
               (Names{"surface.pack", "gi.candidates", "di.off"}));
     EXPECT_EQ(order(true, {.mode = IndirectMode::Path}), (Names{"surface.pack", "gi.candidates", "di.off"}));
@@ -266,12 +268,33 @@ TEST(Plan, AHalfOfIndirectLightLeavesDirectLightWhole) {
     }
 }
 
+// A quarter of the pixels, all that fills in the others.
+TEST(Plan, GroupsCoverABlock) {
+    const Settings settings{.gi = {.mode = IndirectMode::Restir, .checkerboard = true, .halfResolution = true}};
+    for (const PassInfo& pass : makePlan({kExtent, true, 0, false, true, 0}, settings).passes) {
+        const std::string name = pass.name;
+        const bool quarter = name != "surface.pack" && name != "gi.fill" && isIndirect(pass);
+        EXPECT_EQ(pass.groups[0], quarter ? 21u : 41u) << name;
+        EXPECT_EQ(pass.groups[1], quarter ? 12u : 23u) << name;
+    }
+}
+
 // It has no others to be filled from.
 TEST(Plan, AColumnAloneIsNoCheckerboard) {
     const Settings settings{.di = {.checkerboard = true}};
     for (uint32_t width : {1u, 2u}) {
         const Plan plan = makePlan({{width, 9}, true, 0}, settings);
         EXPECT_EQ(std::any_of(plan.passes.begin(), plan.passes.end(), fills), width == 2);
+    }
+}
+
+TEST(Plan, ARowAloneHasNoBlocks) {
+    const Settings settings{.gi = {.mode = IndirectMode::Restir, .halfResolution = true}};
+    for (uint32_t height : {1u, 2u}) {
+        const Plan plan = makePlan({{9, height}, true, 0, false, true, 0}, settings);
+        EXPECT_EQ(std::any_of(plan.passes.begin(), plan.passes.end(),
+                              [](const PassInfo& pass) { return std::string(pass.name) == "gi.fill"; }),
+                  height == 2);
     }
 }
 

@@ -47,6 +47,13 @@ std::vector<Settings> allSettings() {
                                       .checkerboard = true,
                                       .visibility = visibility,
                                       .boilingFilter = 0.5f}});
+    for (uint32_t spatial : {1u, 2u})
+        for (bool paired : {false, true})
+            all.push_back({.gi = {.mode = IndirectMode::Restir,
+                                  .spatialPasses = spatial,
+                                  .pairedNeighbours = paired,
+                                  .halfResolution = true,
+                                  .boilingFilter = 0.5f}});
     all.push_back({.gi = {.mode = IndirectMode::Path}});
     return all;
 }

@@ -48,10 +48,10 @@ std::vector<NamedSettings> allReuse() {
 }
 
 void expectAgreement(World& world, const ReferenceBlocks& truth, const std::vector<NamedSettings>& all,
-                     uint32_t pictures = kPictures) {
+                     uint32_t pictures = kPictures, uint32_t frames = kFrames) {
     Verdict verdict(all.size(), pictures);
     for (const NamedSettings& each : all) {
-        samples::Sequence sequence{.view = world.view(), .frames = kFrames, .accumulate = true};
+        samples::Sequence sequence{.view = world.view(), .frames = frames, .accumulate = true};
         SeedStatistics statistics;
         for (sequence.seed = 1000; sequence.seed < 1000 + pictures; ++sequence.seed) {
             statistics.add(world.render(sequence, each.settings));
@@ -105,7 +105,7 @@ TEST(Gi, GlossyRoomAgreesWithTheReference) {
 
 // The floor of a room one wall of which shines. What direct light would be if it were blurred as well is the same to a
 // fraction of a thousandth.
-TEST(Gi, CheckerboardBlursByAPixelAndNoMore) {
+TEST(Gi, PartOfThePixelsBlursByAPixelAndNoMore) {
     samples::SceneData scene;
     addRoom(scene, {.color = kAlbedo, .roughness = 1, .specular = 0}, {-2, 0, -2}, {2, 3, 2});
     addQuad(scene, {.origin = {-1.99f, 0.1f, -1.9f}, .u = {0, 2.8f, 0}, .v = {0, 0, 3.8f}},
@@ -113,70 +113,102 @@ TEST(Gi, CheckerboardBlursByAPixelAndNoMore) {
     scene.views.push_back({.eye = {0, 1.3f, 1.2f}, .target = {0, 0, 0.2f}, .verticalFov = 0.9f});
     World world(std::move(scene), kExtent);
     samples::Sequence sequence{.view = world.view(), .frames = 4, .accumulate = true};
-    SeedStatistics truth;
-    for (sequence.seed = 1; sequence.seed <= 32; ++sequence.seed)
-        truth.add(halfBlurred(world.reference(sequence, {.paths = 20, .bounces = kBounces})));
-    expectAgreement(world, referenceFromSeeds(truth), {named("checkerboard", [](auto& gi) { gi.checkerboard = true; }),
+    SeedStatistics halves, blocks;
+    for (sequence.seed = 1; sequence.seed <= 32; ++sequence.seed) {
+        const samples::FloatImage reference = world.reference(sequence, {.paths = 20, .bounces = kBounces});
+        halves.add(halfBlurred(reference));
+        blocks.add(blockBlurred(reference));
+    }
+    expectAgreement(world, referenceFromSeeds(halves),
+                    {named("checkerboard", [](auto& gi) { gi.checkerboard = true; }),
                      named("checkerboard, paired", [](auto& gi) { gi.checkerboard = gi.pairedNeighbours = true; })},
                     64);
+    expectAgreement(world, referenceFromSeeds(blocks),
+                    {named("half resolution", [](auto& gi) { gi.halfResolution = true; }),
+                     named("half resolution, paired", [](auto& gi) { gi.halfResolution = gi.pairedNeighbours = true; })},
+                    64, 8);
 }
 
-// The share of the pixels with odd or even x + y that are the mean of those around, but for what rounding leaves.
-double filledShare(const samples::FloatImage& image, uint32_t odd) {
+using Lit = bool (*)(uint32_t x, uint32_t y, uint32_t frame);
+bool onCheckerboard(uint32_t x, uint32_t y, uint32_t frame) { return (x + y + frame) % 2 == 1; }
+bool inBlock(uint32_t x, uint32_t y, uint32_t frame) {
+    constexpr std::array<std::array<uint32_t, 2>, 4> kTurns{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}};
+    return std::array{x % 2, y % 2} == kTurns[frame % 4];
+}
+
+// Of the pixels that frame `i` lights or does not light, the share that are, but for rounding, the mean of those around: of the lit
+// ones, or for a lit one of the four beside it.
+double filledShare(const samples::FloatImage& image, Lit isLit, uint32_t i, bool lit) {
     double filled = 0, all = 0;
     // Of the largest channel, which all are rounded by.
     const auto at = [&](uint32_t x, uint32_t y) { return image.rgb[3 * (size_t{y} * image.width + x)]; };
     for (uint32_t y = 1; y + 1 < image.height; ++y)
         for (uint32_t x = 1; x + 1 < image.width; ++x) {
-            if (((x + y) & 1) != odd) continue;
-            const float mean = (at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1)) / 4;
+            if (isLit(x, y, i) != lit) continue;
+            float sum = 0, count = 0;
+            for (uint32_t v = y - 1; v <= y + 1; ++v)
+                for (uint32_t u = x - 1; u <= x + 1; ++u) {
+                    if (lit ? (u == x) == (v == y) : !isLit(u, v, i)) continue;
+                    sum += at(u, v);
+                    ++count;
+                }
+            const float mean = sum / count;
             ++all;
             if (std::abs(at(x, y) - mean) <= mean / 32) ++filled;
         }
     return filled / all;
 }
 
-TEST(Gi, CheckerboardLightsEitherHalfInTurn) {
+TEST(Gi, CellsAreLitInTurn) {
     samples::SceneData data = room({.color = kAlbedo, .roughness = 1, .specular = 0});
     const samples::View view = data.views[0];
     const samples::GpuScene scene(device(), std::move(data));
     HostView host(scene, view, {.maxExtent = kExtent, .indirect = true});
-    restir::Settings settings = indirect();
-    settings.di.mode = restir::DirectMode::Off;
-    settings.gi.checkerboard = true;
-    settings.gi.maxHistory = 0;   // noise, which tells who is lit
-    settings.gi.spatialPasses = 0;
-    for (uint32_t i = 0; i < 4; ++i) {
-        const samples::FloatImage image = host.frame(host.input(i), settings);
-        EXPECT_GT(filledShare(image, i % 2), 0.6) << i;   // all but those at an edge
-        EXPECT_LT(filledShare(image, 1 - i % 2), 0.3) << i;
+    for (bool blocks : {false, true}) {
+        restir::Settings settings = indirect();
+        settings.di.mode = restir::DirectMode::Off;
+        settings.gi.checkerboard = !blocks;
+        settings.gi.halfResolution = blocks;
+        settings.gi.maxHistory = 0;   // noise, which tells who is lit
+        settings.gi.spatialPasses = 0;
+        const Lit isLit = blocks ? inBlock : onCheckerboard;
+        host.newSession();
+        for (uint32_t i = 0; i < 5; ++i) {
+            const samples::FloatImage image = host.frame(host.input(i), settings);
+            EXPECT_GT(filledShare(image, isLit, i, false), 0.6) << i << " " << blocks;   // all but those at an edge
+            EXPECT_LT(filledShare(image, isLit, i, true), 0.3) << i << " " << blocks;
+        }
     }
 }
 
-// Half of the pixels take half of the rays, whatever direct light does.
-TEST(Gi, CheckerboardTakesHalfOfTheRays) {
+// Half or a quarter of the pixels take as many of the rays, whatever direct light does.
+TEST(Gi, PartOfThePixelsTakesPartOfTheRays) {
     samples::SceneData data = room({.color = kAlbedo, .roughness = 1, .specular = 0});
     const samples::View view = data.views[0];
     const samples::GpuScene scene(device(), std::move(data));
     HostView host(scene, view, {.maxExtent = kExtent, .indirect = true});
-    const auto rays = [&](uint32_t frame, bool direct, bool half) {
+    enum class Part { All, Half, Quarter };
+    const auto rays = [&](uint32_t frame, bool direct, Part part) {
         restir::Settings settings = indirect();
         settings.di.mode = direct ? restir::DirectMode::Restir : restir::DirectMode::Off;
         settings.counters = true;
-        settings.gi.checkerboard = half;
+        settings.gi.checkerboard = part == Part::Half;
+        settings.gi.halfResolution = part == Part::Quarter;
         host.frame(host.input(frame), settings);
         return double(host.session().counters(frame % HostView::kSlots).rays);
     };
-    const auto sequence = [&](bool direct, bool half) {
+    const auto sequence = [&](bool direct, Part part) {
         host.newSession();
-        for (uint32_t i = 0; i < 3; ++i) rays(i, direct, half);
-        return rays(3, direct, half);
+        for (uint32_t i = 0; i < 3; ++i) rays(i, direct, part);
+        return rays(3, direct, part);
     };
-    const double whole = sequence(false, false);
-    EXPECT_NEAR(sequence(false, true), whole / 2, whole / 20);
-    EXPECT_NEAR(rays(4, false, false), whole, whole / 10);   // with only half a history
-    const double both = sequence(true, false);
-    EXPECT_NEAR(sequence(true, true), both - whole / 2, whole / 20);
+    const double whole = sequence(false, Part::All), both = sequence(true, Part::All);
+    for (Part part : {Part::Half, Part::Quarter}) {
+        const double share = part == Part::Half ? 0.5 : 0.25;
+        EXPECT_NEAR(sequence(false, part), whole * share, whole / 20);
+        EXPECT_NEAR(rays(4, false, Part::All), whole, whole / 10);   // with only part of a history
+        EXPECT_NEAR(sequence(true, part), both - whole * (1 - share), whole / 20);
+    }
 }
 
 // Either of a pair asks for both.
@@ -257,7 +289,8 @@ TEST(Gi, ClosedRoomThatShinesHasTheKnownRadiance) {
     for (uint32_t i = 0; i < kExtent.width * kExtent.height; ++i)
         truth.rgb.insert(truth.rgb.end(), {sum.x, sum.y, sum.z});
     expectAgreement(world, exactly(truth),
-                    {kPath, kBoth, named("checkerboard", [](auto& gi) { gi.checkerboard = true; })});
+                    {kPath, kBoth, named("checkerboard", [](auto& gi) { gi.checkerboard = true; }),
+                     named("half resolution", [](auto& gi) { gi.halfResolution = true; })});
 }
 
 double sumOf(const samples::FloatImage& image) {

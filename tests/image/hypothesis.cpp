@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -135,24 +136,40 @@ std::vector<NamedSettings> checkerboards() {
     return all;
 }
 
-samples::FloatImage halfBlurred(const samples::FloatImage& image) {
-    samples::FloatImage blurred = image;
+namespace {
+
+using Offsets = std::vector<std::pair<int, int>>;
+
+// The mean of a pixel's means over each of `turns`, of those in the picture.
+samples::FloatImage meanOfTurns(const samples::FloatImage& image, const std::vector<Offsets>& turns) {
+    samples::FloatImage blurred{image.width, image.height, {}};
     const int width = int(image.width), height = int(image.height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
             for (int c = 0; c < 3; ++c) {
-                const auto at = [&](int i, int j) { return size_t(3 * (j * width + i) + c); };
-                float sum = 0, count = 0;
-                for (auto [i, j] : {std::pair(x - 1, y), std::pair(x + 1, y), std::pair(x, y - 1), std::pair(x, y + 1)}) {
-                    if (i < 0 || j < 0 || i >= width || j >= height) continue;
-                    sum += image.rgb[at(i, j)];
-                    ++count;
+                float mean = 0;
+                for (const Offsets& turn : turns) {
+                    float sum = 0, count = 0;
+                    for (auto [i, j] : turn) {
+                        if (x + i < 0 || y + j < 0 || x + i >= width || y + j >= height) continue;
+                        sum += image.rgb[size_t(3 * ((y + j) * width + x + i) + c)];
+                        ++count;
+                    }
+                    mean += sum / count / float(turns.size());
                 }
-                blurred.rgb[at(x, y)] = 0.5f * (image.rgb[at(x, y)] + sum / count);
+                blurred.rgb.push_back(mean);
             }
-        }
-    }
     return blurred;
+}
+
+}   // namespace
+
+samples::FloatImage halfBlurred(const samples::FloatImage& image) {
+    return meanOfTurns(image, {{{0, 0}}, {{-1, 0}, {1, 0}, {0, -1}, {0, 1}}});
+}
+
+samples::FloatImage blockBlurred(const samples::FloatImage& image) {
+    return meanOfTurns(image, {{{0, 0}}, {{-1, 0}, {1, 0}}, {{0, -1}, {0, 1}}, {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}});
 }
 
 bool allFinite(const samples::FloatImage& image) {

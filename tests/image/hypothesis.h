@@ -42,9 +42,10 @@ std::vector<NamedSettings> pairwiseInTheOpen();   // and one of each other kind 
 // Unbiased but for what they fill in.
 std::vector<NamedSettings> checkerboards();
 
-// What checkerboards() of a plane converge to: every pixel is lit in every other frame, and has the mean of its neighbours in
-// the others.
+// What frames that light one pixel of each pair converge to on a plane, as checkerboards() do: every pixel is lit in every other
+// one, and has the mean of its neighbours in the others. And of those that light one of each block, in turns.
 samples::FloatImage halfBlurred(const samples::FloatImage& image);
+samples::FloatImage blockBlurred(const samples::FloatImage& image);
 
 bool allFinite(const samples::FloatImage& image);
 float largest(const samples::FloatImage& image);

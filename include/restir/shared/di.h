@@ -42,6 +42,9 @@ RS_SHARED_END
 #define RS_VISIBILITY_NONE 0u
 #define RS_VISIBILITY_CACHED 1u
 #define RS_VISIBILITY_TRACED 2u
+#define RS_FIELD_ALL 0u      // restir/di/field.glsl
+#define RS_FIELD_PAIRS 1u    // and the next one
+#define RS_FIELD_BLOCKS 4u   // and the next three
 #define RS_DEBUG_NONE 0u
 #define RS_DEBUG_CONFIDENCE 1u
 #define RS_DEBUG_AGE 2u

@@ -9,7 +9,7 @@
 
 void main() {
     uvec2 pixel = rsPixelOn(rsOtherField(rsFrame.gi.field));
-    if (!rsInside(pixel)) return;
+    if (!rsInside(pixel) || rsIsOnField(ivec2(pixel), rsFrame.gi.field)) return;
     RsSurface s = rsLoadSurface(pixel);
     RsRandom random = rsRandom(pixel, rsFrame.seed, RS_STAGE_GI + RS_STAGE_FILL);
     RsShading shading = rsNoLight();

@@ -1,5 +1,5 @@
-// A pixel that a checkerboard leaves out. All four around are lit: it reflects the mean of what those on the same surface do,
-// in two lobes, each over its factor, so that textures stay as they are and light blurs by a pixel. That is biased.
+// A pixel that the frame leaves out. Of those around the two or four closest are lit: it reflects the mean of what those on the same
+// surface do, in two lobes, each over its factor, so that textures stay as they are and light blurs by a pixel. That is biased.
 #ifndef RESTIR_DI_AROUND_GLSL
 #define RESTIR_DI_AROUND_GLSL
 #include "restir/di/direct.glsl"
@@ -19,15 +19,14 @@ bool rsHasDiffuse(RsSurface s) { return rsLuminance(rsBridgeLobeFactors(s).diffu
 
 // False: nobody around is on the surface. `distances`: of the lobes are asked for.
 bool rsFromAround(RsSurface s, uvec2 pixel, uvec2 extent, bool distances, RsDiConstants reuse, out RsShading shading) {
-    const ivec2 steps[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
     RsLobes lit = RsLobes(vec3(0.0), vec3(0.0));
     RsDiConstants close = reuse;
     close.depthThreshold *= RS_FILL_PLANE;
     float count = 0.0, diffuseCount = 0.0;
     vec2 far = vec2(0.0);
-    for (uint i = 0u; i < 4u; ++i) {
-        ivec2 at = ivec2(pixel) + steps[i];
-        if (!rsIsInside(at, extent)) continue;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 at = ivec2(pixel) + ivec2(i % 3, i / 3) - 1;
+        if (!rsIsOnField(at, reuse.field) || !rsIsInside(at, extent)) continue;
         RsSurface around = rsLoadSurface(uvec2(at));
         if (rsCompareInFrame(s, around, close) != RS_ACCEPTED) continue;
         count += 1.0;

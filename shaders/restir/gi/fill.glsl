@@ -1,4 +1,4 @@
-// The pixels that a checkerboard leaves out of indirect light. One that has nobody around on its surface traces a path of its own.
+// The pixels that a frame leaves out of indirect light. One that has nobody around on its surface traces a path of its own.
 #ifndef RESTIR_GI_FILL_GLSL
 #define RESTIR_GI_FILL_GLSL
 #include "restir/di/around.glsl"

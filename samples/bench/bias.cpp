@@ -10,7 +10,8 @@ namespace bench {
 namespace {
 
 struct Options {
-    std::string scene = "builtin:cornell", table, json;
+    samples::SceneOptions scene{.scene = "builtin:cornell"};
+    std::string table, json;
     VkExtent2D extent{64, 64};
     std::vector<std::string> scenarios{"static"}, rows;
     uint32_t frames = 0;
@@ -23,7 +24,7 @@ struct Options {
 };
 
 proof::Plan planOf(const Options& options) {
-    proof::Plan plan{.scene = options.scene,
+    proof::Plan plan{.scene = samples::sceneText(options.scene),
                      .extent = options.extent,
                      .limits = options.limits,
                      .reference = options.reference};
@@ -49,9 +50,11 @@ void run(const Options& options) {
     restir::SessionDesc session;
     for (const proof::Row& row : plan.rows)
         samples::declareFor(samples::parseSettings(row.settings), session);
+    samples::SceneData scene = load(options.scene);
+    scene.views = {samples::chooseView(options.scene, scene)};
     samples::Device device({.validate = options.validate});
-    proof::Prover prover(device, load({.scene = options.scene}), plan.extent, session, {.rays = options.rays});
-    std::fprintf(stderr, "%s, %ux%u, %s, commit %s\n", options.scene.c_str(), plan.extent.width,
+    proof::Prover prover(device, std::move(scene), plan.extent, session, {.rays = options.rays});
+    std::fprintf(stderr, "%s, %ux%u, %s, commit %s\n", plan.scene.c_str(), plan.extent.width,
                  plan.extent.height, device.driver().c_str(), proof::builtCommit());
     proof::run(plan, file, prover,
                [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
@@ -90,8 +93,9 @@ void addBias(CLI::App& app) {
     command->add_option("--json", options->json, "results, gone on with if it exists")
         ->required()
         ->type_name("FILE");
-    command->add_option("--scene", options->scene, "a glTF file or builtin:NAME (builtin:cornell)")
+    command->add_option("--scene", options->scene.scene, "a glTF file or builtin:NAME (builtin:cornell)")
         ->type_name("SCENE");
+    samples::addSceneOptions(*command, options->scene);
     samples::addSize(*command, options->extent, "of the picture in pixels");
     command->add_option("--scenario", options->scenarios, known + " (static)")
         ->delimiter(',')

@@ -1,6 +1,7 @@
 #include "common/scene_options.h"
 
 #include <charconv>
+#include <filesystem>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -111,6 +112,25 @@ void addSceneOptions(CLI::App& app, SceneOptions& options) {
     app.add_option("--env-scale", options.environmentScale, "factor on the map")
         ->check(CLI::Range(0.0, 1e9))
         ->needs(environment);
+}
+
+std::string sceneText(const SceneOptions& options) {
+    const SceneOptions usual;
+    const auto number = [](float value) {
+        char digits[32];
+        return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    };
+    std::string text = options.scene;
+    const auto add = [&text](const char* option, const std::string& value) { text += std::string(" ") + option + " " + value; };
+    if (options.camera) add("--camera", std::to_string(*options.camera));
+    if (!options.eye.empty()) add("--eye", options.eye);
+    if (!options.target.empty()) add("--target", options.target);
+    if (options.fov != usual.fov) add("--fov", number(options.fov));
+    if (options.lambert) text += " --lambert";
+    if (!options.environment.empty()) add("--env", std::filesystem::path(options.environment).filename().string());
+    if (options.environmentRotation != usual.environmentRotation) add("--env-rotation", number(options.environmentRotation));
+    if (options.environmentScale != usual.environmentScale) add("--env-scale", number(options.environmentScale));
+    return text;
 }
 
 SceneData load(const SceneOptions& options, std::vector<std::string>& warnings) {

@@ -51,6 +51,9 @@ const RayBackendName& rayBackend(restir::RayBackend backend);
 // All but the scene's name. `options` must outlive the parsing.
 void addSceneOptions(CLI::App& app, SceneOptions& options);
 
+// Scene and view as they would be written on a command line, the map without its directory: to tell measurements apart.
+std::string sceneText(const SceneOptions& options);
+
 // Throws std::runtime_error naming what cannot be had; `warnings` as of loadGltf() and loadSky().
 SceneData load(const SceneOptions& options, std::vector<std::string>& warnings);
 // The options' camera, else the scene's first, else one that frames the scene. Throws std::runtime_error,

@@ -11,6 +11,7 @@
 
 #include "common/builtin.h"
 #include "common/scene_lights.h"
+#include "common/scene_options.h"
 #include "common/sort_triangles.h"
 #include "samples/gltf_file.h"
 
@@ -226,6 +227,21 @@ TEST(Scene, BuiltinMistakesAreNamed) {
     expectError("builtin:lamps?kind=neon", "neon");
     expectError("builtin:lamps?kind=", "environment");
     expectError("builtin:lamps?lamp=sphere", "lamp");
+}
+
+// What results are filed under.
+TEST(Scene, TextTellsScenesApart) {
+    EXPECT_EQ(samples::sceneText({.scene = "builtin:cornell"}), "builtin:cornell");
+    EXPECT_EQ(samples::sceneText({.scene = "room.glb",
+                                  .environment = "skies/noon.hdr",
+                                  .environmentRotation = 90,
+                                  .environmentScale = 0.5f,
+                                  .lambert = true,
+                                  .eye = "1,2,3",
+                                  .target = "0,0,0",
+                                  .fov = 60}),
+              "room.glb --eye 1,2,3 --target 0,0,0 --fov 60 --lambert --env noon.hdr --env-rotation 90 --env-scale 0.5");
+    EXPECT_EQ(samples::sceneText({.scene = "room.glb", .camera = 2}), "room.glb --camera 2");
 }
 
 TEST(Scene, FilesThatAreNotThere) {

@@ -107,7 +107,7 @@ struct GiSettings {
     // As in DiSettings. Where nobody around is on a pixel's surface, it traces a path of its own.
     bool checkerboard = false;
     // Paths for one pixel of each 2 x 2, another one in each frame, and the rest filled in from the two or four closest: a quarter
-    // of the time, biased as a checkerboard is. `checkerboard` is then without effect.
+    // of the paths, biased as a checkerboard is. `checkerboard` is then without effect.
     bool halfResolution = false;
     // Not the defensive form: what that leaves to a pixel's own path is more than that is worth here.
     Weights weights = Weights::PairwisePlain;

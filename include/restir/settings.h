@@ -115,7 +115,11 @@ struct GiSettings {
     // holds what its pixel does not see.
     VisibilityReuse visibility = VisibilityReuse::Traced;
     bool averageShading = true;   // as in DiSettings
-    float boilingFilter = 0;      // as in DiSettings
+    // Where a surface is smooth and reflects more than it scatters, the pixel's own fresh path, which its BSDF
+    // drew, has a share of what is shown, up to six tenths: as unbiased, and less noise there. Without effect with
+    // a boilingFilter, which it would go around.
+    bool ownPath = true;
+    float boilingFilter = 0;   // as in DiSettings
 };
 
 // Where to start from, each measured against the others and against the truth in the README.

@@ -35,6 +35,7 @@ uint32_t flagsOf(const FrameInput& frame, const Settings& settings, bool history
     if (frame.output.indirectSpecular) flags |= RS_FRAME_INDIRECT_SPECULAR;
     if (settings.counters) flags |= RS_FRAME_COUNT;
     if (settings.gi.mode != IndirectMode::Off) flags |= RS_FRAME_INDIRECT;
+    if (showsOwnPath(settings.gi)) flags |= RS_FRAME_OWN_PATH;
     return flags;
 }
 

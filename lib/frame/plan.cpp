@@ -57,9 +57,16 @@ private:
     void addIndirect(PassInfo pass) { addIndirect(pass, giCell_); }
     void addIndirect(PassInfo pass, Cell cell) {
         if (input_.indirectLobes && pass.shades) addUse(pass, {Resource::Outputs, Access::Write});
-        if (giCell_ != Cell::Pixel && pass.shades)   // for gi.fill, where direct light starts later
+        const bool own = input_.indirectLobes && showsOwnPath(settings_.gi);
+        if ((giCell_ != Cell::Pixel || own) && pass.shades)   // for gi.fill, where direct light starts later; own lobes
             addUse(pass, {reservoirs(1 - input_.historyIn), Access::ReadWrite});
         add(pass, cell);
+    }
+
+    // The own path's part of a pixel, beside its reservoir: radiance at once, lobes for the pass that shades.
+    void shadesOwn(PassInfo& pass) const {
+        addUse(pass, {Resource::Surfaces, Access::ReadWrite});
+        if (input_.indirectLobes || giCell_ != Cell::Pixel) addUse(pass, {reservoirs(1 - input_.historyIn), Access::Write});
     }
 
     void indirect() {
@@ -67,7 +74,9 @@ private:
         plan_.giHistoryOut = input_.giHistoryIn;
         if (gi.mode == IndirectMode::Path) return addIndirect(gi::path());
         uint32_t current = 1 - input_.giHistoryIn;
-        addIndirect(gi::candidates(current));
+        PassInfo candidates = gi::candidates(current);
+        if (showsOwnPath(gi)) shadesOwn(candidates);
+        addIndirect(candidates);
         const bool remembers = gi.temporal && input_.giHistory;
         if (remembers) addIndirect(gi::temporal(input_.giHistoryIn, current));
         if (remembers && gi.boilingFilter > 0) addIndirect(gi::boiling(current));
@@ -143,6 +152,10 @@ Cell cellOf(VkExtent2D extent, const GiSettings& settings) noexcept {
     if (settings.mode != IndirectMode::Restir || extent.width < 2) return Cell::Pixel;
     if (settings.halfResolution && extent.height > 1) return Cell::Block;
     return settings.checkerboard ? Cell::Pair : Cell::Pixel;
+}
+
+bool showsOwnPath(const GiSettings& settings) noexcept {
+    return settings.mode == IndirectMode::Restir && settings.ownPath && settings.boilingFilter == 0;
 }
 
 Plan makePlan(const PlanInput& input, const Settings& settings) { return Planner(input, settings).run(); }

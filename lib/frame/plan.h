@@ -28,6 +28,9 @@ enum class Cell : uint8_t { Pixel, Pair, Block };
 Cell cellOf(VkExtent2D extent, const DiSettings& settings) noexcept;
 Cell cellOf(VkExtent2D extent, const GiSettings& settings) noexcept;
 
+// Whether gi.candidates shades a part of what it found: unless outliers are cut back, which it has before the filter.
+bool showsOwnPath(const GiSettings& settings) noexcept;
+
 Plan makePlan(const PlanInput& input, const Settings& settings);
 
 // Whether `pass` must wait for something since the last barrier. `written` and `read` hold a bit per Resource

@@ -20,6 +20,15 @@ constexpr uint32_t kSettlingFrames = 16;   // of temporal reuse, near enough to 
 constexpr const char* kVersion = RENDER_TEXT(RESTIR_VERSION_MAJOR) "." RENDER_TEXT(
     RESTIR_VERSION_MINOR) "." RENDER_TEXT(RESTIR_VERSION_PATCH);
 
+// A linear picture under a PNG's name is one that no viewer opens.
+CLI::Validator endsIn(const std::string& extension) {
+    return CLI::Validator(
+        [extension](const std::string& file) {
+            return file.ends_with(extension) ? std::string() : "'" + file + "' must end in " + extension;
+        },
+        "");
+}
+
 void addPicture(CLI::App& app, Options& options) {
     app.add_option("scene", options.scene.scene,
                    samples::kSceneHelp)
@@ -37,8 +46,8 @@ void addPicture(CLI::App& app, Options& options) {
     app.add_flag("--jitter", options.jitter,
                  "jitter each frame over the pixel, as for temporal antialiasing");
     samples::addSceneOptions(app, options.scene);
-    app.add_option("--out", options.exr, "linear picture")->type_name("FILE.exr");
-    app.add_option("--png", options.png, "tone-mapped picture")->type_name("FILE.png");
+    app.add_option("--out", options.exr, "linear picture")->type_name("FILE.exr")->check(endsIn(".exr"));
+    app.add_option("--png", options.png, "tone-mapped picture")->type_name("FILE.png")->check(endsIn(".png"));
     app.add_option("--stats", options.stats, "times, rays and memory")->type_name("FILE.json");
     app.add_flag("--validate", options.validate, "run under the validation layer; its messages fail the run");
     app.add_flag("--quiet", options.quiet, "print errors only");

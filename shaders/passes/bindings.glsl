@@ -112,7 +112,11 @@ bool rsWantsLobes() {
 #else
 bool rsWantsLobes() {
     bool asked = (rsFrame.flags & (RS_FRAME_INDIRECT_DIFFUSE | RS_FRAME_INDIRECT_SPECULAR)) != 0u || rsFrame.gi.field != RS_FIELD_ALL;
+#ifdef RS_PASS_OWN   // shades its part, whatever comes after it
+    return asked;
+#else
     return rsPass.shades != 0u && asked;
+#endif
 }
 #endif
 // What a pixel shines of itself: its emission, and indirect light as far as it has been added.

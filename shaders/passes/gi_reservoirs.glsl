@@ -1,4 +1,5 @@
 // Reservoirs of indirect light, and where what they bring goes.
+#include "restir/gi/own.glsl"
 #include "restir/gi/room.glsl"
 #include "passes/lit.glsl"
 
@@ -56,6 +57,27 @@ RsLobes rsLoadLit(uvec2 pixel) {
 vec2 rsLitDistance(RsSurface s, uvec2 pixel) {
     RsLobes lit = rsLoadLit(pixel);
     return rsLuminance(lit.diffuse + lit.specular) * vec2(rsReservoirs[rsFrame.giScratch].at[rsIndex(pixel)].ucw, 1.0);
+}
+
+// The own path's part, which gi.candidates adds to the pixel's light at once; its lobes wait for those of the reused one.
+float rsOwnPart(RsSurface s) { return s.valid && (rsFrame.flags & RS_FRAME_OWN_PATH) != 0u ? rsOwnShare(s) : 0.0; }
+void rsShadeOwn(uvec2 pixel, RsSurface s, RsShading fresh, inout RsRandom random) {
+    float own = rsOwnPart(s);
+    if (!(own > 0.0)) return;
+    fresh = rsScale(fresh, own);
+    rsAddIndirect(pixel, fresh.radiance, random);
+    if (rsWantsLobes()) rsStoreLit(pixel, fresh);
+}
+RsShading rsWithOwn(uvec2 pixel, RsSurface s, RsShading reused) {
+    float own = rsOwnPart(s);
+    if (!(own > 0.0)) return reused;
+    reused = rsScale(reused, 1.0 - own);
+    if (!rsWantsLobes()) return reused;
+    RsLobes fresh = rsLoadLit(pixel);
+    float distance = rsReservoirs[rsFrame.giScratch].at[rsIndex(pixel)].ucw;
+    reused.diffuse += vec4(fresh.diffuse, rsLuminance(fresh.diffuse) * distance);
+    reused.specular += vec4(fresh.specular, rsLuminance(fresh.specular) * distance);
+    return reused;
 }
 
 vec4 rsIndirectOutput(vec4 sum) { return vec4(sum.rgb * rsFrame.exposure, rsMeanDistance(sum)); }

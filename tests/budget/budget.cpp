@@ -26,7 +26,7 @@ constexpr int kSkipped = 77;
 constexpr double kCodeMargin = 1.15;      // times the baseline's bytes
 constexpr double kScratchMargin = 1.15;   // the same, of ray tracing pipelines
 // These go to lanes of a vector register, 32 or 64 to each, not to memory.
-constexpr uint64_t kScalarSpills = 10;
+constexpr uint64_t kScalarSpills = 11;
 constexpr uint64_t kSoftwareScalarSpills = 38;   // five more buffers, held in scalar registers all along a walk
 constexpr uint64_t kRegisterMargin = 8;   // vector registers, what RDNA allocates at a time
 

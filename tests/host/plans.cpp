@@ -53,7 +53,7 @@ std::vector<Settings> allSettings() {
                                   .spatialPasses = spatial,
                                   .pairedNeighbours = paired,
                                   .halfResolution = true,
-                                  .boilingFilter = 0.5f}});
+                                  .ownPath = !paired}});
     all.push_back({.gi = {.mode = IndirectMode::Path}});
     return all;
 }

@@ -103,6 +103,12 @@ TEST(Gi, GlossyRoomAgreesWithTheReference) {
                     {kPath, kBoth, kPaired}, 64);
 }
 
+// Where the pixel's own path has a share.
+TEST(Gi, SmoothMetalAgreesWithTheReference) {
+    expectReference(room({.color = kAlbedo, .roughness = 51.0f / 255.0f, .metalness = 1}),
+                    {kBoth, kPaired}, 96);
+}
+
 // The floor of a room one wall of which shines. What direct light would be if it were blurred as well is the same to a
 // fraction of a thousandth.
 TEST(Gi, PartOfThePixelsBlursByAPixelAndNoMore) {
@@ -178,6 +184,56 @@ TEST(Gi, CellsAreLitInTurn) {
             EXPECT_GT(filledShare(image, isLit, i, false), 0.6) << i << " " << blocks;   // all but those at an edge
             EXPECT_LT(filledShare(image, isLit, i, true), 0.3) << i << " " << blocks;
         }
+    }
+}
+
+// The variance of a frame's pixels over independent sequences, relative to their squared mean.
+double relativeVariance(HostView& host, const restir::Settings& settings, uint32_t frames) {
+    constexpr uint32_t kSequences = 8;
+    std::vector<double> sums, squares;
+    for (uint32_t seed = 1; seed <= kSequences; ++seed) {
+        for (uint32_t i = 0; i < frames; ++i) {
+            restir::FrameInput input = host.input(i);
+            input.seed = seed;
+            input.resetHistory = i == 0;
+            const samples::FloatImage image = host.frame(input, settings);
+            if (i + 1 < frames) continue;
+            sums.resize(image.rgb.size());
+            squares.resize(image.rgb.size());
+            for (size_t c = 0; c < image.rgb.size(); ++c) {
+                sums[c] += image.rgb[c];
+                squares[c] += double(image.rgb[c]) * image.rgb[c];
+            }
+        }
+    }
+    double variance = 0, square = 0;
+    for (size_t c = 0; c < sums.size(); ++c) {
+        const double mean = sums[c] / kSequences;
+        variance += squares[c] / kSequences - mean * mean;
+        square += mean * mean;
+    }
+    return variance / square;
+}
+
+// A cell's pixel of this frame finds what the one of the last frame found: the same bias, far less noise.
+TEST(Gi, CellsHaveAHistory) {
+    samples::SceneData data = room({.color = kAlbedo, .roughness = 1, .specular = 0});
+    const samples::View view = data.views[0];
+    const samples::GpuScene scene(device(), std::move(data));
+    HostView host(scene, view, {.maxExtent = kExtent, .indirect = true});
+    enum class Cell { Pixel, Pair, Block };
+    for (Cell cell : {Cell::Pixel, Cell::Pair, Cell::Block}) {
+        restir::Settings settings = indirect();
+        settings.di.mode = restir::DirectMode::Off;
+        settings.gi.checkerboard = cell == Cell::Pair;
+        settings.gi.halfResolution = cell == Cell::Block;
+        settings.gi.spatialPasses = 0;
+        settings.gi.maxHistory = 8;
+        const double with = relativeVariance(host, settings, 8);
+        settings.gi.temporal = false;
+        const double without = relativeVariance(host, settings, 8);
+        std::printf("cells %d: relative variance %.4f with a history, %.4f without\n", int(cell), with, without);
+        EXPECT_LT(with, 0.4 * without) << int(cell);
     }
 }
 

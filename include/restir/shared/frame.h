@@ -84,6 +84,7 @@ RS_SHARED_END
 #define RS_FRAME_MOVED 4096u          // geometry, since the previous frame, whose structure is bound
 #define RS_FRAME_INDIRECT_DIFFUSE 1024u   // output image is bound
 #define RS_FRAME_INDIRECT_SPECULAR 2048u
+#define RS_FRAME_OWN_PATH 8192u   // GiSettings::ownPath
 #define RS_FRAME_INDIRECT 512u   // rsSurfacesFrame keeps emission and indirect light, rounded at random
 
 #define RS_NORMAL_XYZ 0u                // xyz, signed

@@ -3,6 +3,7 @@
 #define RS_PASS_RAYS
 #define RS_PASS_HITS
 #define RS_PASS_INDIRECT
+#define RS_PASS_OWN
 #include "passes/bindings.glsl"
 #include "restir/gi/candidates.glsl"
 #include "passes/gi_reservoirs.glsl"
@@ -16,5 +17,8 @@ void main() {
     RsLightSource source = RsLightSource(rsFrame.lightCount, rsFrame.gi.treeShare);
     if (s.valid) fresh = rsGiCandidate(s, source, rsFrame.giBounces, rsFrame.gi.lightCandidates, random);
     if (rsPass.shades != 0u) rsShadeIndirect(pixel, fresh.shading, random);   // nothing is reused
-    else rsStoreGiReservoir(rsPass.target, rsIndex(pixel), fresh.reservoir);
+    else {
+        rsStoreGiReservoir(rsPass.target, rsIndex(pixel), fresh.reservoir);
+        if (s.valid) rsShadeOwn(pixel, s, fresh.shading, random);
+    }
 }

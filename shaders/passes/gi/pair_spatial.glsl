@@ -18,5 +18,5 @@ void main() {
     rsStoreGiReservoir(rsPass.target, rsIndex(pixel), combined.reservoir);
     if (!shades) return;
     RsRandom random = rsRandom(pixel, rsFrame.seed, stage + RS_STAGE_OWN_LIGHT);
-    rsShadeIndirect(pixel, combined.shading, random);
+    rsShadeIndirect(pixel, rsWithOwn(pixel, s, combined.shading), random);
 }

@@ -17,5 +17,5 @@ void main() {
     RsShading shading = rsNoLight();
     if (s.valid) shading = rsDiShade(s, r, rsFrame.gi.visibility, occluded);
     if (occluded) rsStoreGiReservoir(rsPass.target, i, rsEmptyGiReservoir(rsConfidence(r)));
-    rsShadeIndirect(pixel, shading, random);
+    rsShadeIndirect(pixel, rsWithOwn(pixel, s, shading), random);
 }

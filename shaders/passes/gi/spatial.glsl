@@ -15,5 +15,5 @@ void main() {
     RsCombined combined = RsCombined(canonical, rsNoLight());
     if (s.valid) combined = rsDiSpatial(s, canonical, pixel, rsFrame.extent, rsFrame.gi, random);
     rsStoreGiReservoir(rsPass.target, rsIndex(pixel), combined.reservoir);
-    if (rsPass.shades != 0u) rsShadeIndirect(pixel, combined.shading, random);
+    if (rsPass.shades != 0u) rsShadeIndirect(pixel, rsWithOwn(pixel, s, combined.shading), random);
 }

@@ -115,9 +115,9 @@ struct GiSettings {
     // holds what its pixel does not see.
     VisibilityReuse visibility = VisibilityReuse::Traced;
     bool averageShading = true;   // as in DiSettings
-    // Where a surface is smooth and reflects more than it scatters, the pixel's own fresh path, which its BSDF
-    // drew, has a share of what is shown, up to six tenths: as unbiased, and less noise there. Without effect with
-    // a boilingFilter, which it would go around.
+    // Where a surface is smooth, the pixel's own fresh path, which its BSDF drew, has up to six tenths of what is
+    // shown, by roughness and by the specular lobe's part of the reflectance: as unbiased, and less noise in near
+    // mirrors. Without effect with a boilingFilter, which it would go around.
     bool ownPath = true;
     float boilingFilter = 0;   // as in DiSettings
 };

@@ -187,7 +187,7 @@ const std::vector<SettingOption>& settingOptions() {
         onOff("gi-paired-neighbours", &GiSettings::pairedNeighbours,
               "neighbours of indirect light in pairs that share rays and targets (off)"),
         onOff("gi-own-path", &GiSettings::ownPath,
-              "smooth metals show some of their pixel's own path beside reused ones (on)"),
+              "smooth surfaces show some of their pixel's own path beside reused ones (on)"),
         number("gi-boiling-filter", &GiSettings::boilingFilter,
                "cuts outliers of indirect light back, 0 to 1: less noise, too dark (0: off)", {0, 1}),
         choice<Weights>("gi-weights", &GiSettings::weights,

@@ -75,8 +75,8 @@ RsShading rsWithOwn(uvec2 pixel, RsSurface s, RsShading reused) {
     if (!rsWantsLobes()) return reused;
     RsLobes fresh = rsLoadLit(pixel);
     float distance = rsReservoirs[rsFrame.giScratch].at[rsIndex(pixel)].ucw;
-    reused.diffuse += vec4(fresh.diffuse, rsLuminance(fresh.diffuse) * distance);
-    reused.specular += vec4(fresh.specular, rsLuminance(fresh.specular) * distance);
+    reused.diffuse += rsLobe(fresh.diffuse, distance);
+    reused.specular += rsLobe(fresh.specular, distance);
     return reused;
 }
 

@@ -72,7 +72,8 @@ void takeSettings(Take& take, restir::Settings& settings) {
     if (take.flag()) gi.mode = restir::IndirectMode(take.below(3));
     take.maybe(gi.mode, gi.bounces, gi.lightCandidates, gi.treeShare, gi.temporal, gi.maxHistory,
                gi.staleHistory, gi.spatialPasses, gi.neighbours, gi.radius, gi.pairedNeighbours, gi.normalThreshold,
-               gi.depthThreshold, gi.checkerboard, gi.halfResolution, gi.weights, gi.visibility, gi.averageShading, gi.ownPath, gi.boilingFilter);
+               gi.depthThreshold, gi.checkerboard, gi.halfResolution, gi.weights, gi.visibility, gi.averageShading,
+               gi.ownPath, gi.boilingFilter);
     take.maybe(settings.debugView, settings.counters);
 }
 

@@ -58,13 +58,19 @@ std::vector<Settings> allSettings() {
     return all;
 }
 
-std::vector<Plan> allPlans() {
+std::vector<Plan> allPlans(bool lobes) {
     std::vector<Plan> plans;
     for (const Settings& settings : allSettings())
         for (bool history : {false, true})
             for (uint32_t in : {0u, 1u})
                 for (bool gradient : {false, true})
-                    plans.push_back(makePlan({kExtent, history, in, gradient, history, 1 - in}, settings));
+                    plans.push_back(makePlan({kExtent, history, in, gradient, history, 1 - in, lobes}, settings));
+    return plans;
+}
+
+std::vector<Plan> allPlans() {
+    std::vector<Plan> plans = allPlans(false);
+    for (Plan& plan : allPlans(true)) plans.push_back(std::move(plan));
     return plans;
 }
 

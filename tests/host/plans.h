@@ -22,7 +22,8 @@ inline Settings settingsOf(bool temporal, uint32_t spatialPasses, VisibilityReus
 }
 
 std::vector<Settings> allSettings();
-std::vector<Plan> allPlans();   // of them, with and without history
+std::vector<Plan> allPlans(bool lobes);   // Output::indirectDiffuse and the like asked for
+std::vector<Plan> allPlans();             // with and without those; all with and without history
 
 inline std::vector<std::string> names(const Plan& plan) {
     std::vector<std::string> result;

@@ -19,6 +19,6 @@ void main() {
     if (rsPass.shades != 0u) rsShadeIndirect(pixel, fresh.shading, random);   // nothing is reused
     else {
         rsStoreGiReservoir(rsPass.target, rsIndex(pixel), fresh.reservoir);
-        if (s.valid) rsShadeOwn(pixel, s, fresh.shading, random);
+        rsShadeOwn(pixel, s, fresh.shading, random);
     }
 }

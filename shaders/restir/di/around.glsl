@@ -43,8 +43,7 @@ bool rsFromAround(RsSurface s, uvec2 pixel, uvec2 extent, bool distances, RsDiCo
     float distance = far.y > 0.0 ? far.x / far.y : RS_FARTHEST_HIT;
     RsLobes factors = rsBridgeLobeFactors(s);
     shading = RsShading(lit.diffuse * factors.diffuse + lit.specular * factors.specular,
-                        vec4(lit.diffuse, rsLuminance(lit.diffuse) * distance),
-                        vec4(lit.specular, rsLuminance(lit.specular) * distance));
+                        rsLobe(lit.diffuse, distance), rsLobe(lit.specular, distance));
     return true;
 }
 

@@ -163,7 +163,7 @@ RsCombined rsCombine(RsSurface s, RsReservoir canonical, RsNeighbourhood where, 
     } else if (weights == RS_WEIGHTS_OFF) {
         sums.normalisation = cc + S;
         rsAddLight(sums.shading, s, own, cc * canonical.ucw);
-        sums.shading = rsDivide(sums.shading, sums.normalisation);
+        sums.shading = rsScale(sums.shading, 1.0 / sums.normalisation);
     }
     RsSelection selected = sums.selection;
     uint confidence = rsConfidence(canonical) + uint(S);

@@ -45,6 +45,7 @@ struct RsShading {
     vec4 specular;
 };
 
+vec4 rsLobe(vec3 light, float distance) { return vec4(light, rsLuminance(light) * distance); }
 RsShading rsNoLight() { return RsShading(vec3(0.0), vec4(0.0), vec4(0.0)); }
 
 // Lights at infinity count as so far away, metres: the largest half float.
@@ -57,8 +58,8 @@ void rsAddLight(inout RsShading sum, RsSurface s, RsDirect direct, float weight)
     vec3 irradiance = weight * direct.incident.irradiance;
     vec3 diffuse = irradiance * lobes.diffuse, specular = irradiance * lobes.specular;
     float distance = min(direct.incident.distance, RS_FARTHEST_HIT);
-    sum.diffuse += vec4(diffuse, rsLuminance(diffuse) * distance);
-    sum.specular += vec4(specular, rsLuminance(specular) * distance);
+    sum.diffuse += rsLobe(diffuse, distance);
+    sum.specular += rsLobe(specular, distance);
 }
 
 // Of what a lobe reflects.
@@ -67,8 +68,8 @@ float rsMeanDistance(vec4 lobe) {
     return luminance > 0.0 ? min(lobe.w / luminance, RS_FARTHEST_HIT) : 0.0;
 }
 
-RsShading rsDivide(RsShading sum, float by) {
-    return RsShading(sum.radiance / by, sum.diffuse / by, sum.specular / by);
+RsShading rsScale(RsShading sum, float by) {
+    return RsShading(sum.radiance * by, sum.diffuse * by, sum.specular * by);
 }
 
 // `previous`: a surface and a light of last frame, in last frame's scene.

@@ -13,7 +13,7 @@ RsShading rsDiNextEvent(RsSurface s, uint lightCount, uint samples, inout RsRand
         float pdf = direct.target > 0.0 ? rsPdfLight(light.selection, light, uv, direct.incident, seen) : 0.0;
         if (pdf > 0.0 && rsUnoccluded(s, direct.incident)) rsAddLight(sum, s, direct, 1.0 / pdf);
     }
-    return rsDivide(sum, float(samples));
+    return rsScale(sum, 1.0 / float(samples));
 }
 
 #endif

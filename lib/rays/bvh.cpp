@@ -1,7 +1,7 @@
 #include <rays/bvh_impl.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <device/barrier.h>
 #include <device/internals.h>
@@ -102,8 +102,7 @@ void stageMeshes(Bvh::Impl& b, std::span<const BvhMesh> meshes) noexcept {
         const Place place{uint32_t(2 * b.sizes.topNodes()) + firstNode, firstTriangle};
         place.copy(mesh.nodes, nodes + firstNode);
         for (size_t i = 0; i < 3; ++i)
-            std::memcpy(corners + i * b.sizes.triangles + firstTriangle, mesh.corners[i].data(),
-                        mesh.corners[i].size() * kCornerBytes);
+            std::ranges::copy(mesh.corners[i], corners + i * b.sizes.triangles + firstTriangle);
         b.meshes.push_back({place.word(mesh.root), mesh.box});
         firstNode += uint32_t(mesh.nodes.size());
         firstTriangle += uint32_t(mesh.corners[0].size());

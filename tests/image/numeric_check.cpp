@@ -138,10 +138,15 @@ TEST_F(LongNumericCheck, CornellGiReference) {
     check.expectAgreement(check.reference(8, 32, 16, 4));
 }
 
+TEST_F(LongNumericCheck, KitchenGiReference) {
+    Check check(kKitchenIndirect);
+    check.expectAgreement(check.reference(8, 160, 8, 4));
+}
+
 // Few pixels bring hundreds of times their light: blocks are as noisy as 6 % here.
 TEST_F(LongNumericCheck, KitchenGi) {
     Check check(kKitchenIndirect);
-    check.expectAgreement(check.di("di + gi pairwise traced", 16, 192, withPaths(shortHistory())));
+    check.expectAgreement(check.di("di + gi pairwise traced", 24, 192, withPaths(shortHistory())));
 }
 
 }   // namespace

@@ -58,7 +58,8 @@ HostView::HostView(const samples::GpuScene& scene, const samples::View& view, co
     contextInfo.shaders = desc.shaders;
     if (!desc.rays) desc_.rays = desc.shaders ? desc.shaders->rays : contextInfo.rays;
     contextInfo.rays = *desc_.rays;
-    context_ = made(restir::Context::create(contextInfo), "Context");
+    context_ = desc.context;
+    if (!context_) context_ = made(restir::Context::create(contextInfo), "Context");
     const restir::SceneDesc sceneInfo{
         .instances = scene.instances(), .materials = scene.materials(), .textures = scene.textures()};
     sdkScene_ = made(restir::Scene::create(*context_, sceneInfo), "Scene");

@@ -23,6 +23,7 @@ struct HostDesc {
     bool indirect = false;
     const restir::ShaderPack* shaders = nullptr;   // null: the library's
     std::optional<restir::RayBackend> rays;   // unset: of the shaders, else the best of the device
+    std::shared_ptr<restir::Context> context = nullptr;   // instead of one of its own: another view's, with its pipelines
 };
 
 // The images of restir::Output.
@@ -79,6 +80,7 @@ public:
     restir::LightTable& lights() { return *lights_; }
     restir::Bvh* bvh() { return bvh_.get(); }   // of the scene at rest; RayBackend::Software
     const restir::Context& context() const { return *context_; }
+    std::shared_ptr<restir::Context> sharedContext() const { return context_; }
     void newSession();
 
 private:
@@ -94,7 +96,7 @@ private:
     std::array<samples::GpuImage, size_t(Target::Count)> targets_[kSlots];
     std::array<samples::Buffer, size_t(Target::Count)> readbacks_[kSlots];
     std::array<VkExtent2D, kSlots> extents_{};   // of the frames read back
-    std::unique_ptr<restir::Context> context_;
+    std::shared_ptr<restir::Context> context_;
     std::unique_ptr<restir::Scene> sdkScene_;
     std::unique_ptr<restir::LightTable> lights_;
     std::unique_ptr<restir::Bvh> bvh_;
